@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Serves the plug-in's interface. The kernel works in a process of its own: its messages to the
+// Serves the plug-in's interface. The kernel works in a process of its own, so its messages to the
 // terminal are not seen, and a crash ends that process alone.
 #include "geom/files/cad_plugin_p.h"
 
@@ -31,14 +31,14 @@ namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 20; // bytes that are sent at once
 
-/// Seconds that the kernel may compute for a text. It takes about a second for a megabyte; broken
-/// files can have it compute for ever.
+/// The most seconds that the kernel may compute for a text. A megabyte takes about a second; broken
+/// files can make it compute for ever.
 rlim_t most_seconds(std::size_t size) {
     constexpr rlim_t at_least = 10, per_megabyte = 30;
     return at_least + per_megabyte * (size >> 20);
 }
 
-/// A file that is closed in the end.
+/// A file descriptor that is closed at the end of its life.
 class open_file {
 public:
     explicit open_file(int file) : file_(file) {}
@@ -57,7 +57,7 @@ private:
     int file_;
 };
 
-/// Memory that two processes share: the share of the work that is done, and a text for a fault.
+/// Memory that two processes share: the share of the work done, and a text for a fault.
 class shared_state {
 public:
     shared_state()
@@ -86,7 +86,7 @@ private:
         std::atomic<double> share = 0;
         std::array<char, 512> fault{};
     };
-    static_assert(std::atomic<double>::is_always_lock_free); // a lock serves one process
+    static_assert(std::atomic<double>::is_always_lock_free); // a lock would serve only one process
     state& get() { return *static_cast<state*>(at_); }
 
     void* at_;
@@ -102,7 +102,7 @@ bool send(int file, std::string_view bytes) {
     return true;
 }
 
-/// Drops the parent's reactions to signals, and leaves nothing behind when the parent dies.
+/// Drops the parent's signal handlers, and leaves no process behind when the parent dies.
 void stand_alone(pid_t parent, rlim_t seconds) {
     for (const int one : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGSEGV, SIGBUS, SIGFPE,
                           SIGILL, SIGABRT, SIGCHLD, SIGALRM, SIGXCPU})
@@ -124,7 +124,7 @@ void stand_alone(pid_t parent, rlim_t seconds) {
 
 /// Reads the text, and sends its records. Returns the process's exit status.
 int work(std::string_view text, bool is_iges, int records, shared_state& state) {
-    // The kernel reads files by name alone.
+    // The kernel can only read files by name.
     const int file = memfd_create("l3d_cad", MFD_CLOEXEC);
     if (file < 0 || !send(file, text)) {
         state.set_fault("there is no memory for a copy of the file");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// write_document: reads files by the kernel, and writes its document of parts and styles.
+// write_document: reads files with the kernel, and writes its document of parts and styles.
 #include "document.h"
 
 #include "faces.h"
@@ -72,7 +72,7 @@ look line_look(const XCAFPrs_Style& style) {
     return style.IsSetColorCurv() ? look{pixel_word(style.GetColorCurv()), 1} : face_look(style);
 }
 
-/// The name of a label, unless it only repeats where the label is.
+/// The name of a label, unless it only repeats the label's position.
 std::string name_of(const TDF_Label& label) {
     Handle(TDataStd_Name) name;
     if (!label.FindAttribute(TDataStd_Name::GetID(), name))
@@ -81,8 +81,8 @@ std::string name_of(const TDF_Label& label) {
     return text.starts_with("=>[") ? std::string() : text;
 }
 
-/// The names from the top of the assembly to a part, with slashes between. A file of one part or
-/// one assembly has that one's name for the part alone.
+/// The names from the top of the assembly down to a part, separated by slashes. In a file of one
+/// part or one assembly, that one's name belongs to the part alone.
 std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     std::string path;
     const int depth = at.CurrentDepth();
@@ -98,14 +98,14 @@ std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     return path.empty() ? "part" : path;
 }
 
-/// Whether a place only turns and moves, so that lengths and the outside stay what they are.
+/// Whether a placement only turns and moves, so that lengths and the outside are kept.
 bool is_rigid(const TopLoc_Location& place) {
     constexpr double rounding = 1e-12;
     const gp_Trsf by = place.Transformation();
     return !by.IsNegative() && std::abs(by.ScaleFactor() - 1) <= rounding;
 }
 
-/// Writes shapes, and the places where they stand, one after another.
+/// Writes shapes and their placements, one after another.
 class part_writer {
 public:
     part_writer(l3d_detail::cad_writer& to, const std::function<void()>& flush)
@@ -147,7 +147,7 @@ public:
     }
 
 private:
-    /// Writes a shape that is moved for good, and returns its number.
+    /// Writes a shape with its movement applied, and returns its number.
     std::uint64_t written(const TDF_Label& label, const TopoDS_Shape& shape,
                           const TopLoc_Location& by) {
         to_.begin(cad_record::shape);
@@ -219,11 +219,10 @@ private:
     std::map<std::string, int> names_;
     std::optional<look> look_;
     NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_; ///< by shape
-    std::vector<std::optional<look>> whole_; ///< looks of all of each shape
+    std::vector<std::optional<look>> whole_; ///< looks of each shape as a whole
 };
 
-/// Shares of the work, as large files take them: a text is parsed, shapes are made of it, and faces
-/// are written.
+/// Shares of the work in large files: parsing the text, making shapes of it, and writing faces.
 constexpr double when_parsed = 0.2, when_made = 0.7;
 
 /// Takes the kernel's reports of its progress with shapes.

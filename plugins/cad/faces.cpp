@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// face_writer: bounds faces, and writes their edges and curves in the plane of parameters.
+// face_writer: finds the borders of faces, and writes their edges and curves in the plane of
+// parameters.
 #include "faces.h"
 
 #include <algorithm>
@@ -31,21 +32,21 @@ namespace {
 using l3d_detail::cad_record;
 
 constexpr std::uint32_t no_edge = 0xffffffff; // l3d_no_edge
-/// Curves of loops are within this share of the face's range of parameters.
+/// Curves of loops are exact to this share of the face's range of parameters.
 constexpr double trim_share = 1e-9;
-/// Loops may gape by 2^-20 of their extent (l3d_trims_complaint). Wider gaps get a line, and so do
+/// Loops may gape by 2^-20 of their extent (l3d_trims_complaint). A line closes wider gaps, and
 /// those that are nearly as wide.
 constexpr double gap_share = 0x1p-22;
-/// Curves of sound files leave their surface by rounding, or by a period. Beyond so many ranges of
-/// the face, doubles tell their places no better than trim_share.
+/// Curves of sound files leave their surface only by rounding, or by a period. Beyond so many
+/// ranges of the face, doubles give their places no better than trim_share.
 constexpr double most_ranges_beyond = 0x1p12;
 /// A thread of so many turns takes some 10^4 pieces.
 constexpr double most_turns = 0x1p12;
 
 using place_2d = std::array<double, 2>;
 
-/// The parameters where a curve in the plane of parameters is not smooth, or leaves an arc of the
-/// surface's maps for the next one.
+/// The parameters where a curve in the plane of parameters is not smooth, or passes from one arc of
+/// the surface's maps to the next.
 std::vector<double> breaks_of(const rational_curve& flat, const Handle(Geom2d_Curve) & curve,
                               const rational_surface& surface, const direction* edge, double from,
                               double to) {
@@ -59,7 +60,7 @@ std::vector<double> breaks_of(const rational_curve& flat, const Handle(Geom2d_Cu
     if (edge)
         std::ranges::for_each(edge->map.ends(), add);
     std::ranges::sort(breaks);
-    constexpr int places = 16; // for each smooth stretch; no curve in a file swings more often
+    constexpr int places = 16; // for each smooth stretch; no curve in a file oscillates more often
     const std::vector<double> smooth = breaks;
     for (std::size_t k = 0; k < 2; ++k)
         for (const double end : (k == 0 ? surface.u : surface.v).map.ends())
@@ -152,8 +153,8 @@ double size_of(const std::vector<point>& points) {
     return std::sqrt(box.SquareExtent());
 }
 
-/// Brings one range of a face's parameters, which hulls of its curves give, into that of the
-/// surface. Turns about an axis may go on for more than one period, as those of a thread do.
+/// Moves one range of a face's parameters, from hulls of its curves, into the surface's range.
+/// Turns about an axis may last longer than one period, as those of a thread do.
 void fit(double& low, double& high, const std::array<double, 2>& optimal, double period,
          bool is_turn, double first, double last) {
     if (period == 0) {
@@ -193,7 +194,7 @@ struct face_writer::edge_use {
         flat = rational_of(GeomAPI::To3d(curve, gp_Pln()), from, to);
     }
 
-    /// The edges of a wire, each where the one before ends.
+    /// The edges of a wire, each at the end of the one before.
     static std::vector<edge_use> all_of(const TopoDS_Wire& wire, const TopoDS_Face& face) {
         std::vector<edge_use> result;
         std::size_t count = 0;
@@ -204,7 +205,7 @@ struct face_writer::edge_use {
             result.emplace_back(each.Current(), face);
         if (result.size() == count)
             return result;
-        // The explorer stops where the edges do not meet. Then the nearest one is the next.
+        // The explorer stops where edges do not meet, so the nearest edge is then the next.
         std::vector<edge_use> left;
         for (TopoDS_Iterator each(wire); each.More(); each.Next())
             if (each.Value().Orientation() == TopAbs_FORWARD ||

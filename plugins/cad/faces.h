@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Faces of a shape as records: a rational surface, and the loops that trim it.
+// Faces of a shape as records: rational surfaces, and the loops that trim them.
 #ifndef L3D_PLUGINS_CAD_FACES_H
 #define L3D_PLUGINS_CAD_FACES_H
 
@@ -18,20 +18,20 @@
 
 namespace cad {
 
-/// Writes faces and the edges that they share.
+/// Writes faces, and the edges that they share.
 /// Lives: borrows the writer.
 class face_writer {
 public:
     explicit face_writer(l3d_detail::cad_writer& to) : to_(to) {}
 
-    /// Writes a face, and those of its edges that no face before it had. A note tells of anything
-    /// that cannot be written.
+    /// Writes a face, and those of its edges that no earlier face had. A note names anything that
+    /// cannot be written.
     void write(const TopoDS_Face& face);
 
-    /// Writes an edge that bounds no face as a curve.
+    /// Writes an edge that bounds no face, as a curve.
     void write_curve(const TopoDS_Edge& edge);
 
-    /// Writes a note if faces are approximated.
+    /// Writes a note if any faces are approximated.
     void finish();
 
 private:
@@ -44,7 +44,7 @@ private:
     using loop = std::vector<trim>;
     /// An edge as a face's wire has it.
     struct edge_use;
-    /// An edge that was written, or is none: it has no curve in space.
+    /// An edge that was written, or none if it has no curve in space.
     struct known_edge {
         std::uint32_t number;
         direction along;

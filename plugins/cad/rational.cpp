@@ -41,9 +41,9 @@ namespace cad {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// Millimetres: a tenth of the distance within which the kernel calls points equal.
+/// In millimetres: a tenth of the distance within which the kernel considers points equal.
 constexpr double approximation = 1e-6;
-/// Knots that are nearer to each other than this share of the range are one.
+/// Knots nearer to each other than this share of the range are one.
 constexpr double same_share = 1e-12;
 
 /// The longest arc of a circle that is one rational piece; its weights are above cos(45 degrees).
@@ -52,7 +52,7 @@ constexpr double longest_arc = pi / 2;
 constexpr double longest_hyperbolic_arc = 2;
 
 std::vector<double> arc_ends(double from, double to, double longest) {
-    // Rounding of a range of four arcs must not make five of it.
+    // Rounding must not turn a range of four arcs into five.
     const int count = std::max(1, static_cast<int>(std::ceil((to - from) / longest - 1e-9)));
     std::vector<double> ends;
     ends.reserve(static_cast<std::size_t>(count) + 1);
@@ -129,7 +129,7 @@ rational_curve taken(Handle(Geom_BSplineCurve) spline, double from, double to) {
     result.along = {spline->Degree(), values(spline->KnotSequence()), {}};
     for (int i = 1; i <= spline->NbPoles(); ++i)
         result.points.push_back(weighted(spline->Pole(i).XYZ(), spline->Weight(i)));
-    // A periodic curve counts from its own origin.
+    // A periodic curve counts parameters from its own origin.
     const double shift = from - result.along.from();
     if (std::abs(shift) > near)
         for (double& knot : result.along.knots)
@@ -195,11 +195,11 @@ rational_surface moved(const rational_curve& profile, const gp_XYZ& by, double v
     return result;
 }
 
-/// A surface of an axis and a profile in the plane of the axis and x.
+/// A surface made of an axis, and a profile in the plane of the axis and x.
 rational_surface around(const gp_Ax3& position, const rectangle& at,
                         rational_curve (*profile)(const GeomAdaptor_Surface&, const rectangle&),
                         const GeomAdaptor_Surface& surface) {
-    // Left-handed systems turn the other way.
+    // Left-handed systems turn in the opposite direction.
     const gp_XYZ axis = position.XDirection().XYZ() ^ position.YDirection().XYZ();
     return turned(profile(surface, at), position.Location().XYZ(), axis, at.u0, at.u1);
 }

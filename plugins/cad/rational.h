@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exact rational B-splines of the kernel's curves and surfaces, and how parameters change.
+// Exact rational B-splines of the kernel's curves and surfaces, and the change of parameters.
 #ifndef L3D_PLUGINS_CAD_RATIONAL_H
 #define L3D_PLUGINS_CAD_RATIONAL_H
 
@@ -12,13 +12,12 @@
 
 namespace cad {
 
-/// The largest degree of curves and surfaces that l3d has.
+/// The largest degree of curves and surfaces in l3d.
 inline constexpr int most_degree = 15;
 
-/// Takes a parameter of the kernel to the parameter of the rational B-spline that stands for the
-/// same curve.
+/// Maps a parameter of the kernel to the parameter of the rational B-spline for the same curve.
 ///
-/// Both are alike, but for conics. The kernel's parameter of a circle is the angle, that of a
+/// Both are equal, except for conics. The kernel's parameter of a circle is the angle, that of a
 /// hyperbola its hyperbolic angle. A rational arc of the angles from -h to h has the parameter
 /// h tan(angle / 2) / tan(h / 2), or tanh for a hyperbola. Both agree at the arcs' ends.
 class parameter_map {
@@ -26,14 +25,14 @@ public:
     enum class kind { same, circular, hyperbolic };
 
     parameter_map() = default;
-    /// `ends`: the ends of the arcs, in order; they are as long as each other.
+    /// `ends`: the ends of the arcs, in order; all arcs have the same length.
     parameter_map(kind of, std::vector<double> ends) : kind_(of), ends_(std::move(ends)) {}
 
     /// The B-spline's parameter.
     double operator()(double s) const;
     /// The kernel's parameter.
     double inverse(double t) const;
-    /// Parameters where the map is not smooth.
+    /// The parameters where the map is not smooth.
     const std::vector<double>& ends() const { return ends_; }
     bool is_same() const { return kind_ == kind::same; }
 
@@ -64,7 +63,7 @@ struct rational_curve {
     std::vector<point> points;
     bool is_approximate = false; ///< to within curve_tolerance
 
-    /// The same curve from its end to its beginning.
+    /// The same curve in reverse.
     rational_curve reversed() const;
 };
 
@@ -73,7 +72,7 @@ struct rational_surface {
     std::vector<point> points; ///< u fastest
     bool is_approximate = false;
 
-    /// The same surface with u and v exchanged, whose outside is the other one.
+    /// The same surface with u and v exchanged, so its outside is the other side.
     rational_surface exchanged() const;
 };
 
@@ -82,8 +81,8 @@ struct rectangle {
     double u0, u1, v0, v1;
 };
 
-/// The curve between two parameters. Curves that are not rational, such as offsets of others, are
-/// approximated to 1e-6 mm, a tenth of the error that files commonly allow.
+/// The curve between two parameters. Curves that are not rational, such as offsets, are
+/// approximated to 1e-6 mm: a tenth of the error that files commonly allow.
 /// Errors: throws Standard_Failure.
 rational_curve rational_of(const Handle(Geom_Curve) & curve, double from, double to);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From control points of a uniform bicubic B-spline to those of the Bezier patch.
+// Converts control points of a uniform bicubic B-spline to those of the Bezier patch.
 #ifndef L3D_PLUGINS_SUBDIVISION_BSPLINE_BEZIER_H
 #define L3D_PLUGINS_SUBDIVISION_BSPLINE_BEZIER_H
 
@@ -14,8 +14,8 @@ using net = std::array<double, 16>;
 /// Bits of the sides of a face that have no neighbours: v = 0, u = 1, v = 1, u = 0.
 enum side_bits : unsigned { v_low = 1, u_high = 2, v_high = 4, u_low = 8 };
 
-/// Fills in the points beyond boundaries, each as far beyond as the point before is within. So the
-/// boundary is the B-spline curve of its own points.
+/// Computes the points beyond boundaries, each as far outside as the point before it is inside. So
+/// the boundary is the B-spline curve of its own points.
 inline void reflect_at_boundaries(net& p, unsigned boundary) {
     for (std::size_t i = 0; i < 4; ++i) {
         if (boundary & v_low)
@@ -31,10 +31,10 @@ inline void reflect_at_boundaries(net& p, unsigned boundary) {
     }
 }
 
-/// The Bezier points of the middle one of 3 x 3 patches.
+/// The Bezier points of the middle patch of 3 x 3.
 ///
-/// Sums are taken in an order that does not depend on the direction in which a neighbour counts.
-/// So neighbours find the same bits for the side that they share.
+/// The order of sums does not depend on the direction in which a neighbour counts. So neighbours
+/// compute the same bits for their common side.
 /// Source: knot insertion; each Bezier point is a product of (1 4 1) / 6 and (2 1) / 3.
 inline net bezier_of(const net& p) {
     const auto at = [&](int row, int column) {
@@ -71,8 +71,8 @@ inline net bezier_of(const net& p) {
     return result;
 }
 
-/// The control points of the halves of a cubic Bezier curve, 7 in a row; both have the middle one.
-/// They are midpoints of midpoints, so the reversed curve has the same, bit for bit.
+/// The control points of the halves of a cubic Bezier curve: 7 in a row, with the middle one in
+/// both. They are midpoints of midpoints, so the reversed curve gives the same ones, bit for bit.
 inline std::array<double, 7> halves_of(double a, double b, double c, double d) {
     const double ab = (a + b) / 2, bc = (b + c) / 2, cd = (c + d) / 2;
     const double abc = (ab + bc) / 2, bcd = (bc + cd) / 2;

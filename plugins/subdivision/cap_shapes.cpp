@@ -89,9 +89,8 @@ net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
     return result;
 }
 
-/// The bicubic Bezier patch of a Gregory patch's twenty points, which are five of each corner: the
-/// corner, the points next to it on both sides, and two for the middle. The patch has the mean of
-/// these two.
+/// The bicubic Bezier patch of a Gregory patch's twenty points. Each corner has five: itself, the
+/// points next to it on both sides, and two for the middle. The patch has the mean of the last two.
 net bezier_of_gregory(const std::array<double, 20>& p) {
     const auto middle = [&](std::size_t corner) {
         return (p[5 * corner + 3] + p[5 * corner + 4]) / 2;
@@ -100,11 +99,11 @@ net bezier_of_gregory(const std::array<double, 20>& p) {
             p[16], middle(3), middle(2), p[12], p[15], p[17],     p[11],     p[10]};
 }
 
-/// As deep as Far goes.
+/// The deepest level that Far has.
 constexpr int deepest = 10;
 
-/// Around a vertex with any number of faces, lengths shrink to at most 0.655 of themselves with
-/// each subdivision, so that after 40 of them less than 2^-24 is left.
+/// Around a vertex with any number of faces, a subdivision shrinks lengths to 0.655 or less, so
+/// after 40 of them less than 2^-24 is left.
 constexpr std::size_t most_stages = 4;
 
 mesh_topology topology_of(const face_ring& ring) {
@@ -124,7 +123,7 @@ refined_mesh refined_ring(const face_ring& ring, OpenSubdiv::Sdc::Options option
     return {topology_of(ring), options, levels, only};
 }
 
-/// A face that is left in the middle of a ring after some subdivisions.
+/// The face that remains in the middle of a ring after some subdivisions.
 struct rest {
     face_ring ring;
     std::vector<weighted> vertices; ///< the ring's vertices, as sums of the first ring's

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// limit_patches: makes as many levels as the error needs; then sides and corners become common.
+// limit_patches: makes as many levels as the error needs, then gives neighbours common sides and
+// corners.
 #include "limit_patches.h"
 
 #include <algorithm>
@@ -39,7 +40,7 @@ double distance(const place& a, const place& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// A place of the kind that Far asks for.
+/// A place with the operations that Far needs.
 struct point {
     place at{};
 
@@ -50,7 +51,7 @@ struct point {
     }
 };
 
-/// The control points of each side, in the order in which one walks round the patch.
+/// The control points of each side, in order around the patch.
 constexpr std::size_t side_points[4][4] = {
     {0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}};
 
@@ -58,8 +59,8 @@ place point_of(const std::array<net, 3>& of, std::size_t k) {
     return {of[0][k], of[1][k], of[2][k]};
 }
 
-/// Gives all patches that meet at a vertex or along an edge the same points there, bit for bit. It
-/// takes those of the coarsest patch, and those of its halves where patches are half as large.
+/// Gives all patches that meet at a vertex or along an edge the same points there, bit for bit.
+/// These are the points of the coarsest patch, and of its halves where patches are half as large.
 class common_borders {
 public:
     explicit common_borders(const refined_mesh& mesh) : mesh_(mesh) {
@@ -72,7 +73,7 @@ public:
     }
 
     /// Expects: coarser leaves before finer ones, and of a level, exact ones first.
-    /// Returns how far a control point was moved.
+    /// Returns the largest distance by which a control point was moved.
     double unite(const leaf& of, std::array<net, 3>& patch) {
         const std::array<net, 3> before = patch;
         const auto put = [&](std::size_t k, const place& to) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// limit_patches: bicubic patches for a Catmull-Clark surface, which meet in the same bits.
+// limit_patches: bicubic patches for a Catmull-Clark surface, with the same bits where they meet.
 #ifndef L3D_PLUGINS_SUBDIVISION_LIMIT_PATCHES_H
 #define L3D_PLUGINS_SUBDIVISION_LIMIT_PATCHES_H
 
@@ -20,8 +20,8 @@ struct limit_patches {
     int levels = 0;
     std::size_t caps = 0; ///< patches that are no exact part of the surface
 
-    /// Subdivides until the error is below `wanted`, or no level is left, or the next one has more
-    /// patches than `most`. The first level is made in any case.
+    /// Subdivides until the error is below `wanted`, no level is left, or the next one has more
+    /// patches than `most`. The first level is always made.
     limit_patches(const mesh_topology& mesh, const std::vector<place>& places,
                   OpenSubdiv::Sdc::Options options, double wanted, std::size_t most);
 };

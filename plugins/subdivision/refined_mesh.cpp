@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// refined_mesh: walks Far's refiner and its table of patches face by face.
+// refined_mesh: visits Far's refiner and its table of patches face by face.
 #include "refined_mesh.h"
 
 #include <opensubdiv/far/patchTableFactory.h>

@@ -17,7 +17,7 @@
 
 namespace l3d_limit {
 
-/// The faces of a cage with its sharp edges and vertices; places come apart.
+/// The faces of a cage with its sharp edges and vertices; places are stored elsewhere.
 struct mesh_topology {
     int vertices = 0;
     std::vector<int> face_sizes, corners;
@@ -40,7 +40,7 @@ struct leaf {
     OpenSubdiv::Far::PatchTable::PatchHandle handle;
 };
 
-/// A cage after adaptive subdivision. Its leaves are all of the surface, face by face.
+/// A cage after adaptive subdivision. Its leaves cover the whole surface, face by face.
 class refined_mesh {
 public:
     /// Expects: a manifold; 0 <= levels <= 10. Only these faces are subdivided, or all if there are
@@ -50,10 +50,10 @@ public:
 
     const OpenSubdiv::Far::TopologyRefiner& refiner() const { return *refiner_; }
     const std::vector<leaf>& leaves() const { return leaves_; }
-    /// The place of the first vertex of a level among those of all levels.
+    /// The index of the first vertex of a level among those of all levels.
     int first_of(int level) const { return first_[static_cast<std::size_t>(level)]; }
 
-    /// The vertices of all levels. Point is of the kind that Far asks for.
+    /// The vertices of all levels. Point has the operations that Far needs.
     template <class Point> std::vector<Point> refined(const std::vector<Point>& cage) const {
         std::vector<Point> result = cage;
         result.resize(static_cast<std::size_t>(refiner_->GetNumVerticesTotal()), cage.front());
@@ -66,7 +66,7 @@ public:
         return result;
     }
 
-    /// The 16 control points of a leaf, u fastest. Those beyond a boundary mean nothing.
+    /// The 16 control points of a leaf, u fastest. Those beyond a boundary are undefined.
     /// Expects: it is regular; the result of refined().
     template <class Point>
     std::array<Point, 16> control_points(const std::vector<Point>& points, const leaf& of) const {
@@ -100,7 +100,7 @@ public:
         return result;
     }
 
-    /// The vertices, among those of all levels, of all faces that touch a leaf's.
+    /// The vertices of all faces that touch a leaf's, as indices among those of all levels.
     std::vector<int> ring_of(const leaf& of) const;
 
 private:

@@ -65,8 +65,8 @@ template <class V> struct net {
     }
 };
 
-/// The largest degree of a product: that of a piece's normals, of at most three times its degree,
-/// and the quintic that approximates them.
+/// The largest degree of a product. A piece's normals have at most three times its degree, and the
+/// quintic that approximates them multiplies them.
 inline constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
 /// Binomial coefficients n over k, which are exact in a double.
 inline constexpr auto binomials = [] {
@@ -81,8 +81,8 @@ inline double binomial(int n, int k) {
     return binomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
 }
 
-/// One coordinate of a polynomial: its Bernstein coefficients times binomials. Those of products
-/// are plain sums of products. Source: Farouki and Rajan 1988, Algorithms for polynomials in
+/// One coordinate of a polynomial: its Bernstein coefficients times binomials. Products in this
+/// form are plain sums of products. Source: Farouki and Rajan 1988, Algorithms for polynomials in
 /// Bernstein form.
 class scaled_net {
 public:
@@ -91,7 +91,7 @@ public:
     /// The polynomial 0 of these degrees.
     scaled_net(int of_m, int of_n)
         : m(of_m), n(of_n), c_(static_cast<std::size_t>((of_n + 1) * stride() + taps - 1)) {}
-    /// One coordinate of a net's coefficients; `of` takes it from them.
+    /// One coordinate of a net's coefficients, which `of` selects.
     template <class V, class Coordinate>
     scaled_net(const net<V>& whole, const Coordinate& of) : scaled_net(whole.m, whole.n) {
         for (int r = 0; r <= n; ++r)
@@ -99,7 +99,7 @@ public:
                 row(r)[k] = of(whole.at(r, k)) * (binomial(n, r) * binomial(m, k));
     }
 
-    /// The Bernstein coefficient.
+    /// The Bernstein coefficient, without the binomials.
     double at(int r, int k) const { return row(r)[k] / (binomial(n, r) * binomial(m, k)); }
 
     /// The least Bernstein coefficient, a lower bound of all values by the convex hull.
@@ -111,10 +111,10 @@ public:
         return result;
     }
 
-    /// Adds a b `times` times. Expects: degrees of a and b that add up to these.
+    /// Adds a b `times` times. Expects: the degrees of a and b add up to these.
     void add(const scaled_net& a, const scaled_net& b, double times = 1) {
-        // b's rows lie as far apart as those of the product. So a coefficient of a multiplies all
-        // of b in one loop, and four neighbours in a row of a do.
+        // b's rows lie as far apart as those of the product. So one loop multiplies a coefficient
+        // of a, or four neighbours in a row of a, with all of b.
         std::vector<double> rows(taps - 1 + b.n * stride() + b.m + taps);
         double* const first = rows.data() + (taps - 1);
         for (int r = 0; r <= b.n; ++r)
@@ -158,7 +158,7 @@ inline scaled_vectors zeros(int m, int n) {
     return {scaled_net(m, n), scaled_net(m, n), scaled_net(m, n)};
 }
 
-/// The polynomial 1, as one of these degrees.
+/// The polynomial 1, raised to these degrees.
 inline scaled_net one(int m, int n) {
     net<double> result(m, n);
     std::ranges::fill(result.c, 1.0);

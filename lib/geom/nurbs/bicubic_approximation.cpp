@@ -21,7 +21,7 @@ using point = l3d_rational_piece::point;
 
 constexpr double unit = 0x1p-53; // the relative rounding of a double
 
-/// The rounding of coefficients of products, by the sizes of their factors: sums of up to 16 by 16
+/// The rounding of a product's coefficients, relative to its factors: sums of up to 16 by 16
 /// products, made twice.
 constexpr double sums_rounding = 0x1p10 * unit;
 
@@ -40,7 +40,7 @@ double size_of(const vector& v) {
     return l3d_length(v);
 }
 
-/// Upper bound of the polynomial's size: its largest coefficient, by the convex hull.
+/// Upper bound of the polynomial's length: its largest coefficient, by the convex hull.
 template <class V> double bound_of(const net<V>& of) {
     double most = 0;
     for (const V& value : of.c)
@@ -48,8 +48,8 @@ template <class V> double bound_of(const net<V>& of) {
     return most;
 }
 
-/// The same by the coefficients of parts, after some halvings in turns. Errors of interpolation
-/// change signs: over the whole, their coefficients are some four times as large as they are.
+/// The same from the coefficients of parts, after some halvings along u and v in turns. Errors of
+/// interpolation change signs: over the whole, their coefficients are some four times too large.
 double bound_of_parts(const net<vector>& of, int halvings) {
     if (halvings == 0)
         return bound_of(of);
@@ -57,13 +57,13 @@ double bound_of_parts(const net<vector>& of, int halvings) {
     return std::max(bound_of_parts(first, halvings - 1), bound_of_parts(second, halvings - 1));
 }
 
-/// The places, in both directions of a patch, that it shares with its piece, beside the ends: zeros
-/// of Chebyshev's polynomial T4, stretched until the outer ones are 0 and 1. No cubic with the same
-/// ends is closer to a quartic. It is off by 0.17 of what Hermite's cubic is.
+/// The inner places, along u and along v, where a patch meets its piece: zeros of Chebyshev's T4,
+/// stretched until the outer ones are 0 and 1. No cubic with the same ends is closer to a quartic.
+/// The error is 0.17 of that of Hermite's cubic.
 constexpr double nearer_node = 1 - std::numbers::sqrt2 / 2, farther_node = std::numbers::sqrt2 / 2;
 
-/// The value at a node of a polynomial of this degree; point(i) is its control point i.
-/// The same bit for bit if the control points and the node are counted from the other end.
+/// The value at a node of a polynomial of this degree; point(i) is its control point i. It is the
+/// same bit for bit if control points and node are counted from the other end.
 /// Source: de Casteljau.
 template <class Point> point at_node(int degree, std::size_t node, const Point& control) {
     if (node == 0 || node == 3)
@@ -79,8 +79,8 @@ template <class Point> point at_node(int degree, std::size_t node, const Point& 
     return p[0];
 }
 
-/// The second control point of the cubic through values at the nodes. From the other end it is the
-/// third one. Expects: the values in the order of nodes.
+/// The second control point of the cubic through values at the nodes. Counted from the other end,
+/// it is the third one. Expects: the values in the order of nodes.
 vector second_point(const vector& at_0, const vector& at_a, const vector& at_b,
                     const vector& at_1) {
     constexpr double a = nearer_node, b = farther_node;
@@ -119,13 +119,13 @@ bicubic interpolated(const l3d_rational_piece& piece) {
     return result;
 }
 
-/// Whether the piece is a polynomial: its derivatives of W are 0.
+/// Whether the piece is a polynomial, so that derivatives of W are 0.
 bool has_one_weight(const l3d_rational_piece& piece) {
     return std::ranges::all_of(piece.points,
                                [&](const point& p) { return p[3] == piece.points[0][3]; });
 }
 
-/// A piece as P and W around a place of it, with bounds of their rounding: `noise` of P's length.
+/// A piece as P and W, relative to a place of it, with bounds of rounding (`noise`: of P's length).
 struct centred_piece {
     net<vector> p;
     net<double> w;
@@ -138,7 +138,7 @@ struct centred_piece {
         double size = 0, most_w = 0;
         for (const point& q : piece.points)
             most_w = std::max(most_w, q[3]);
-        // Products of three small weights would be too small for a double.
+        // Products of three small weights would underflow.
         const double scale = std::exp2(-std::ilogb(most_w));
         for (std::size_t i = 0; i < piece.points.size(); ++i) {
             const point q = piece.points[i] * scale;
@@ -199,7 +199,7 @@ struct turned {
     }
 };
 
-/// Values of a polynomial at Order by Order nodes, u fastest, or the control points of one.
+/// Values of a polynomial at Order by Order nodes, u fastest, or its control points.
 template <class V, std::size_t Order> using square = std::array<V, Order * Order>;
 
 /// Interpolation by polynomials at nodes from 0 to 1.
@@ -209,7 +209,7 @@ template <std::size_t Order> struct interpolation {
 
     using basis = std::array<double, most_product + 1>;
 
-    /// The values of Bernstein's polynomials of degree n. Source: their recurrence.
+    /// The values of the Bernstein polynomials of degree n. Source: their recurrence.
     static constexpr basis basis_at(double t, int n) {
         basis result{1};
         for (int degree = 1; degree <= n; ++degree)
@@ -280,15 +280,15 @@ template <std::size_t Order> struct interpolation {
     }
 };
 
-/// The places that normals are taken from: the zeros of T6, stretched as those of T4 above.
+/// The places where normals are exact: the zeros of T6, stretched as those of T4 above.
 constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
 constexpr double outer_node = 1 - std::numbers::sqrt3 / 2;
 constexpr double inner_node = (std::numbers::sqrt3 - 1) / 2;
 constexpr interpolation<quintic_order> quintic({0, outer_node, inner_node, 1 - inner_node,
                                                 1 - outer_node, 1});
 
-/// Normals of a piece of degree m take some m^4 operations. From degree 8 on they are those of a
-/// piece of degree 7, through places (1 - cos(k pi / 7)) / 2. Their difference counts as rounding.
+/// Normals of a piece of degree m take some m^4 operations. From degree 8 on, a piece of degree 7
+/// replaces it, through places (1 - cos(k pi / 7)) / 2. The difference counts as rounding.
 constexpr int most_exact_degree = 7;
 constexpr interpolation<most_exact_degree + 1> septic({0, 0.0495155660487904, 0.188255099070633,
                                                        0.388739533021843, 0.611260466978157,
@@ -330,13 +330,13 @@ l3d_rational_piece reduced(l3d_rational_piece piece) {
     return piece;
 }
 
-/// A polynomial in the direction of the piece's normals, where these are not 0: W^3 S_u x S_v.
-/// An edge v = 0 that is a point leaves a factor v, by which it is divided.
+/// A polynomial in the direction of the piece's normals, if these are not 0: W^3 S_u x S_v. An edge
+/// v = 0 that is a point leaves a factor v, by which it is divided.
 struct exact_normals {
     net<vector> of{0, 0};
     double noise = 0; ///< bound of the rounding of coefficients
 
-    /// `m` and `n` are the degrees of what the piece's noise is part of.
+    /// `m` and `n` are the degrees for which the piece's noise holds.
     exact_normals(const centred_piece& piece, int m, int n, bool has_pole) {
         const net<vector> pu = piece.p.by_u(), pv = piece.p.by_v();
         const net<double> wu = piece.w.by_u(), wv = piece.w.by_v();
@@ -445,7 +445,7 @@ l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& pie
         return;
     auto values = quintic.values_of(exact.of);
     const auto weights = quintic.values_of(centred.w);
-    constexpr double least_weight = 0x1p-100; // whose third power a double still has
+    constexpr double least_weight = 0x1p-100; // whose third power fits a double
     for (std::size_t i = 0; i < values.size(); ++i) {
         const double w = std::max(weights[i], least_weight);
         values[i] /= w * w * w;

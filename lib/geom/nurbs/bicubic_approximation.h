@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_bicubic_approximation, l3d_normal_approximation: a bicubic patch and its normals in the place
-// of a rational patch of any degree.
+// l3d_bicubic_approximation, l3d_normal_approximation: bicubic patches and normals that stand for a
+// rational patch of any degree.
 #ifndef L3D_GEOM_BICUBIC_APPROXIMATION_H
 #define L3D_GEOM_BICUBIC_APPROXIMATION_H
 
@@ -32,16 +32,16 @@ struct l3d_rational_piece {
     }
 
     /// Cuts the piece in half along u, or along v. A boundary of a half depends on the same
-    /// boundary of the whole alone. So pieces that share a boundary have halves that share theirs,
-    /// bit for bit, also if one piece runs along it the other way.
+    /// boundary of the whole alone. So the halves of pieces with a common boundary share their
+    /// boundaries, bit for bit, also if one piece runs along it the other way.
     std::pair<l3d_rational_piece, l3d_rational_piece> halves(bool along_u) const;
 };
 
-/// A bicubic patch in the place of a rational piece, with a bound of its error (docs/NUMERICS.md,
-/// section 25). It has the piece's points at 4 by 4 places, the corners among them.
+/// A bicubic patch that stands for a rational piece, with a bound of its error (docs/NUMERICS.md,
+/// section 25). It meets the piece at 4 by 4 places, the corners among them.
 ///
 /// A boundary of the patch depends on the same boundary of the piece alone. It is the same bit for
-/// bit whichever way the piece runs along it.
+/// bit, in whichever direction the piece runs along it.
 struct l3d_bicubic_approximation {
     l3d_bezier_patch<double, 3> patch{};
     /// Bound of the distance between points of the patch and of the piece at the same parameters.
@@ -52,7 +52,7 @@ struct l3d_bicubic_approximation {
 };
 
 /// The normals of a rational piece as a polynomial of degree 5 by 5, with a bound of its error. It
-/// has the piece's normals at 6 by 6 places, the corners among them.
+/// is exact at 6 by 6 places, the corners among them.
 struct l3d_normal_approximation {
     l3d_normal_net net;
     /// Bound of the distance between unit normals at the same parameters; infinite if there is

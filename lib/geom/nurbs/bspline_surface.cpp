@@ -27,12 +27,12 @@ struct control_line {
     const point& operator[](std::size_t i) const { return first[(i - absent) * stride]; }
 };
 
-/// Whether the knot span that begins at knots[span] overlaps the wanted range.
+/// Whether the knot span from knots[span] on overlaps the wanted range.
 bool is_wanted(const l3d_bspline_direction& d, std::size_t span) {
     return std::max(d.knots[span], d.from) < std::min(d.knots[span + 1], d.to);
 }
 
-/// The range of control points on which wanted spans depend: its first index, and its end.
+/// The control points on which wanted spans depend: the first index, and the end.
 std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d) {
     const auto n = static_cast<std::size_t>(d.degree);
     std::size_t first = n;
@@ -44,7 +44,7 @@ std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d
     return {first - n, last + 1};
 }
 
-/// The weighted mean; exactly a or b if the other's weight is 0. It is clamped between a and b, so
+/// The weighted mean: exactly a or b if the other's weight is 0. It is clamped between a and b, so
 /// that coordinates stay below their limit.
 point between(const point& a, const point& b, double weight_a, double weight_b) {
     if (weight_b == 0 || a == b)
@@ -64,8 +64,8 @@ point between(const point& a, const point& b, double weight_a, double weight_b) 
     return result;
 }
 
-/// Bezier point `index` of the segment over [a, b], within the knot span that begins at
-/// knots[span].
+/// Bezier point `index` of the segment over [a, b], which lies in the knot span from knots[span]
+/// on.
 point blossom(const l3d_bspline_direction& d, const control_line& points, std::size_t span,
               double a, double b, std::size_t index) {
     const auto n = static_cast<std::size_t>(d.degree);

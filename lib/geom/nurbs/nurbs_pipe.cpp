@@ -28,8 +28,8 @@ vector any_across(const vector& tangent) {
     return l3d_normalized(l3d_cross(tangent, axis));
 }
 
-/// The next section, turned about the tangent as little as possible, by two reflections. Source:
-/// Wang, Juettler, Zheng, Liu, Computation of rotation minimizing frames, ACM TOG 27, 2008.
+/// The next section, by two reflections that turn it about the tangent as little as possible.
+/// Source: Wang, Juettler, Zheng, Liu, Computation of rotation minimizing frames, ACM TOG 27, 2008.
 section next_section(const section& from, const vector& centre, const vector& tangent) {
     const auto reflected = [](const vector& v, const vector& by) {
         const double square = l3d_dot(by, by);
@@ -104,7 +104,7 @@ l3d_nurbs_surface skin_of(const std::vector<section>& sections, const std::vecto
     return {circle.along(), std::move(along), std::move(points), std::move(weights)};
 }
 
-/// The largest distance of sampled points of the surface from the circles they stand for.
+/// The largest distance of sampled points of the surface from the circles that these approximate.
 double measured_on(const l3d_nurbs_surface& surface, const l3d_nurbs_curve& curve,
                    const std::vector<double>& t, double radius) {
     constexpr int places = 8;

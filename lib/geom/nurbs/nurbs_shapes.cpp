@@ -47,7 +47,7 @@ l3d_nurbs_curve with_knots_of(l3d_nurbs_curve curve, const l3d_nurbs_curve& to) 
     return curve;
 }
 
-/// A line revolved about the y axis: a cone, a cylinder or a disc.
+/// The surface of a line that turns about the y axis: a cone, a cylinder or a disc.
 l3d_nurbs_surface turned_line(const vector& from, const vector& to) {
     return l3d_revolved(l3d_nurbs_curve::polyline({from, to}));
 }

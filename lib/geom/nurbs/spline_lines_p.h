@@ -81,11 +81,11 @@ inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
     return d;
 }
 
-/// Why the knot t cannot be inserted; "" if it can.
+/// The reason why the knot t cannot be inserted; "" if it can.
 std::string knot_complaint(const l3d_bspline_direction& d, double t);
 
-/// Why `points` and `weights` are not `wanted` control points and their weights; "" if they are.
-/// `weights` may be empty.
+/// The reason why `points` and `weights` are not `wanted` control points and their weights; "" if
+/// they are. `weights` may be empty.
 std::string points_complaint(const std::vector<l3d_vector<double, 3>>& points,
                              const std::vector<double>& weights, std::size_t wanted);
 

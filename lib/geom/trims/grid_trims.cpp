@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_grid_trims: regions are halved along the grid's lines until they are those of single quads.
+// l3d_grid_trims: halves regions along the grid's lines until each part is that of a single quad.
 #include "geom/trims/grid_trims.h"
 
 #include <algorithm>
@@ -78,7 +78,7 @@ void l3d_grid_trims::cut_quad(const l3d_trim_region& region, const l3d_trim_bloc
     quad.cut(region, box);
     const std::array at_border{of.row == 0, of.end_row + 1 == v_.size(), of.column == 0,
                                of.end_column + 1 == u_.size()};
-    // Its sides within the grid, with the quad on the left if u runs to the right and v upwards.
+    // Sides within the grid, with the quad on their left if u runs to the right and v upwards.
     inner.clear();
     for (std::size_t side = 0; side < at_border.size(); ++side)
         for (const auto& [from, to] : quad.sides()[side]) {

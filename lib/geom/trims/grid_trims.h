@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_grid_trims: what a trimmed region leaves of the quads of a grid.
+// l3d_grid_trims: the part of a grid's quads that a trimmed region leaves.
 #ifndef L3D_GEOM_GRID_TRIMS_H
 #define L3D_GEOM_GRID_TRIMS_H
 
@@ -12,12 +12,12 @@
 #include <vector>
 
 /// The quads of a grid that lie outside of a region, those inside, and the triangles of those that
-/// its border passes through. It is a function of the region and the grid's lines alone, so frames
-/// that dice a patch alike can share it.
+/// its border passes through. It depends on the region and the grid's lines alone, so frames that
+/// dice a patch alike can share it.
 ///
-/// Shape: parts come in the order in which halving meets them; their corners, triangles and sides
+/// Shape: parts are in the order in which halving meets them; their corners, triangles and sides
 ///        are stretches of the arrays here.
-/// Lives: kept for its memory.
+/// Lives: a user keeps one, to reuse its memory.
 class l3d_grid_trims {
 public:
     using stretch = std::array<double, 2>;
@@ -28,7 +28,7 @@ public:
 
         bool is_empty() const { return begin == end; }
     };
-    /// A place, and its part of its quad along u and v, from 0 to 1.
+    /// A place, and its coordinates in its quad along u and v, from 0 to 1.
     struct corner {
         l3d_trim_place at{};
         std::array<double, 2> part{};
@@ -56,16 +56,16 @@ public:
         range inner{};                ///< sides at which it meets other quads
     };
 
-    /// The memory that making one needs.
+    /// The memory for making one.
     struct workshop {
-        l3d_trim_triangles quad;                          ///< the one that is cut
+        l3d_trim_triangles quad;                          ///< the quad that is cut
         std::vector<l3d_trim_place> places;               ///< its corners, in order
         std::vector<std::array<l3d_trim_place, 2>> inner; ///< its sides within the grid
     };
     /// Cuts a grid with these lines.
     void make(const l3d_trim_region& region, std::span<const double> u, std::span<const double> v,
               workshop& in);
-    /// Whether it was made for these lines.
+    /// Whether this was made for these lines.
     bool is_for(std::span<const double> u, std::span<const double> v) const;
 
     std::span<const part> parts() const { return parts_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trims of l3d_nurbs_surface: loops of NURBS curves, and what each piece has of them.
+// Trims of l3d_nurbs_surface: loops of NURBS curves, and their part in each piece.
 #include "geom/nurbs_surface.h"
 
 #include "base/error.h"
@@ -59,7 +59,7 @@ unroll(const l3d_trim_loop& loop, const l3d_trim_box& box, const std::array<bool
             by[k] = turns[k] * (box.most[k] - box.least[k]);
         way.push_back(shifted({loop[i]}, by).front());
         for (std::size_t k = 0; k < 2; ++k) {
-            constexpr double rounding = 0x1p-20; // a part of a turn; other gaps are faults
+            constexpr double rounding = 0x1p-20; // a share of a turn; wider gaps are faults
             const double gap = (curve.back()[k] - next.front()[k]) / (box.most[k] - box.least[k]);
             if (is_closed[k] && std::abs(gap - std::round(gap)) <= rounding)
                 turns[k] += std::round(gap);
@@ -68,14 +68,14 @@ unroll(const l3d_trim_loop& loop, const l3d_trim_box& box, const std::array<bool
     return result;
 }
 
-/// Closes a way that goes around along one direction: it goes on over all of the box, and comes
-/// back beyond the box.
+/// Closes a loop that runs around along one direction: it continues over the whole box, and returns
+/// beyond the box.
 void close_around(l3d_trim_loop& way, std::size_t along, double turns, const l3d_trim_box& box) {
     const double period = box.most[along] - box.least[along];
     const l3d_trim_box hull = hull_of(way);
     const l3d_trim_loop once = way;
     way.clear();
-    // From beyond the side at which it begins to beyond the other one.
+    // It runs from beyond the side at which it begins to beyond the other one.
     const double first = std::floor((box.least[along] - hull.most[along]) / period);
     const double last = std::ceil((box.most[along] - hull.least[along]) / period);
     for (double i = first; i <= last; ++i) {
@@ -99,7 +99,7 @@ bool meet(const l3d_trim_box& a, const l3d_trim_box& b) {
            a.most[1] >= b.least[1];
 }
 
-/// Whether a loop winds around a place an odd number of times that lies in no curve's hull.
+/// Whether a loop winds an odd number of times around a place outside of its curves' hulls.
 bool winds_around(const l3d_trim_loop& loop, const l3d_trim_place& at) {
     l3d_trim_region chords;
     for (const l3d_trim_curve& curve : loop)
@@ -128,7 +128,7 @@ std::vector<std::array<double, 2>> l3d_spans_of(const l3d_bspline_direction& d) 
     return result;
 }
 
-/// Where no curve's hull meets the box, chords in the curves' place wind around it as often.
+/// Where no curve's hull meets the box, chords in place of the curves wind around it as often.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box) {
     std::vector<l3d_trim_loop> result;
@@ -143,7 +143,7 @@ std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
     }
     if (is_odd)
         result.push_back(l3d_trim_around({}));
-    // A loop that winds around nothing keeps a piece trimmed that lies outside.
+    // A loop around nothing keeps a piece trimmed that lies outside.
     if (result.empty())
         result.push_back({{{{0, 0, 1}, {0, 0, 1}}}});
     return result;
@@ -229,9 +229,9 @@ std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_
     if (!why.empty())
         return std::nullopt;
     std::vector<l3d_trim_loop> result;
-    std::array<bool, 2> is_around{}; // any loop, along u and v
-    double least = HUGE_VAL;         // that a loop around has
-    bool is_flipped = false;         // which leaves what is below it
+    std::array<bool, 2> is_around{}; // whether any loop is around along u, along v
+    double least = HUGE_VAL;         // the lowest value on a loop around
+    bool is_flipped = false;         // whether that loop leaves the part below it
     for (const l3d_trim_loop& loop : loops) {
         auto [way, turns] = unroll(loop, box, is_closed);
         for (const std::size_t k : {0U, 1U}) {

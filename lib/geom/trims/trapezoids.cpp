@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_trapezoids: a line of equal v sweeps upwards and stops at corners and crossings.
+// l3d_trapezoids: a line of equal v sweeps upwards, and stops at corners and crossings.
 #include "geom/trims/trapezoids.h"
 
 #include <algorithm>
@@ -50,7 +50,7 @@ void l3d_trapezoids::begin(const l3d_trim_region& region) {
     std::ranges::sort(sides_, {}, [](const side& s) { return s.low[1]; });
 }
 
-/// Goes to the next corner or crossing, and ends trapezoids there. False after the last one.
+/// Moves to the next corner or crossing, and ends trapezoids there. False after the last one.
 bool l3d_trapezoids::next_line() {
     if (is_begun_ && next_v_ == std::numeric_limits<double>::infinity())
         return false;
@@ -73,10 +73,10 @@ bool l3d_trapezoids::next_line() {
     return true;
 }
 
-/// Sorts sides by their places in the middle of v_ and `next`, or of a lower line if some of them
-/// cross before. Returns that line.
+/// Sorts sides by their places in the middle between v_ and `next`, or a lower line if some cross
+/// before. Returns that line.
 double l3d_trapezoids::order_until(double next) {
-    // Sides that are nearer than this have met.
+    // Sides nearer than this have met.
     constexpr double rounding = 0x1p-44;
     for (;;) {
         const double middle = v_ + (next - v_) / 2;
@@ -112,7 +112,7 @@ void l3d_trapezoids::pair_up(double next) {
     }
 }
 
-/// Ends trapezoids that do not go on above v_, and begins others.
+/// Ends trapezoids that do not continue above v_, and begins others.
 void l3d_trapezoids::end_and_begin() {
     ended_.clear();
     marks_.clear();
@@ -128,11 +128,11 @@ void l3d_trapezoids::end_and_begin() {
                         marks_.insert(marks_.end(), {left.at(v_), sides_[right].at(v_)});
     std::ranges::sort(marks_);
     marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
-    // The points of the line between two sides: first and count.
+    // The points of the line between two sides, as the first index and the count.
     const auto between = [&](const side& left, const side& right) {
         double from = left.at(v_), to = right.at(v_);
         if (from > to)
-            std::swap(from, to); // they meet here but for rounding
+            std::swap(from, to); // they meet here, up to rounding
         const auto first = std::ranges::lower_bound(marks_, from);
         const auto last = std::ranges::upper_bound(marks_, to);
         return std::pair(static_cast<std::size_t>(first - marks_.begin()),

@@ -18,15 +18,15 @@ struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
     l3d_trim_use left{}, right{};
-    std::size_t left_side = 0, right_side = 0; ///< the polygons' sides: equal where one goes on
+    std::size_t left_side = 0, right_side = 0; ///< the polygons' sides: equal where one continues
 };
 
-/// Cuts a region into trapezoids that meet without a T: where a corner of one lies on the low or
-/// high side of another, it is one of that side's points. Slanted and upright sides of neighbours
-/// have corners of their own.
+/// Cuts a region into trapezoids that meet without T-junctions: where a corner of one lies on the
+/// low or high side of another, it is one of that side's points. Slanted and upright sides of
+/// neighbours have corners of their own.
 ///
 /// Polygons may cross themselves and each other.
-/// Cost: time in proportion to the corners times the sides at one v; keeps its memory.
+/// Cost: time in proportion to the corners times the sides at one v; memory is kept for reuse.
 class l3d_trapezoids {
 public:
     /// Calls visit(l3d_trapezoid) for each one.
@@ -46,7 +46,7 @@ private:
     struct side {
         l3d_trim_place low, high;
         l3d_trim_use use{};
-        std::size_t right = none; ///< the side at the other end of the trapezoid that it begins
+        std::size_t right = none; ///< the side at the other end of the trapezoid that begins here
         std::size_t next_right = none;
         double low_v = 0;
         std::size_t first_low = 0, low_count = 0; ///< in pool_
@@ -73,7 +73,7 @@ private:
     double next_v_ = 0;
     bool is_begun_ = false;
     std::vector<std::size_t> active_;   ///< sides at v_, from left to right
-    std::vector<std::size_t> open_;     ///< left sides of trapezoids that go on
+    std::vector<std::size_t> open_;     ///< left sides of trapezoids that continue
     std::vector<std::size_t> new_open_; ///< those from v_ on
     std::vector<double> marks_, pool_, keys_;
     std::vector<ended> ended_;

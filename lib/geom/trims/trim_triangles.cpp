@@ -17,7 +17,7 @@ void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& 
     layers_.clear();
     trapezoids_.of(region, [this](const l3d_trapezoid& one) {
         if (one.low.size() + one.high.size() < 3)
-            return; // nothing but a line
+            return; // a line without area
         if (one.low.size() > 2 || one.high.size() > 2)
             return take(one);
         layers_.push_back(
@@ -32,8 +32,8 @@ void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& 
     find_followed();
 }
 
-/// Layers that share all of a level side are one polygon, which every level line meets once. Where
-/// a side goes on from one layer to the next, it has no corner between them.
+/// Layers that share a whole level side are one polygon, which every level line meets once. Where a
+/// side continues from one layer to the next, it has no corner between them.
 void l3d_trim_triangles::stack_layers() {
     const auto low_key = [this](std::size_t i) {
         const auto& [left, right] = layers_[i].low;
@@ -84,7 +84,7 @@ void l3d_trim_triangles::take_layers(std::size_t first) {
 /// Triangulating a simple polygon, 1978.
 void l3d_trim_triangles::join_corners() {
     const auto &left = chains_[0].corners, &right = chains_[1].corners;
-    // All corners upwards; a common one is on both chains.
+    // All corners, upwards; a common one is on both chains.
     corners_.clear();
     std::size_t i = 0, j = 0;
     while (i < left.size() || j < right.size()) {
@@ -135,7 +135,7 @@ void l3d_trim_triangles::add_corners(const chain_corner& a, const chain_corner& 
     note_side(a, c);
 }
 
-/// Notes a side of the last triangle that is one of the polygon.
+/// Records a side of the last triangle that is one of the polygon.
 void l3d_trim_triangles::note_side(const chain_corner& a, const chain_corner& b) {
     const std::size_t triangle = triangles_.size() - 1;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -226,7 +226,7 @@ void l3d_trim_triangles::close_sides() {
     }
 }
 
-/// The edge that a side of equal v follows: that of the polygon's side that it is a part of.
+/// The edge that a side of equal v follows: that of the polygon's side whose part it is.
 l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) const {
     for (const l3d_trim_polygon& polygon : region_->polygons)
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -242,7 +242,7 @@ l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) con
     return {};
 }
 
-/// Two trapezoids share a side of equal v, unless it is border.
+/// A side of equal v belongs to two trapezoids, unless it is border.
 void l3d_trim_triangles::find_level_border() {
     const auto key = [](const level_side& s) { return std::tuple(s.v, s.from, s.to); };
     std::ranges::sort(level_sides_, {}, key);

@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-/// The triangles of a region, with what neighbours of its box must know.
+/// The triangles of a region, with the facts that neighbours of its box need.
 ///
-/// Lives: kept for its memory.
+/// Lives: a user keeps one, to reuse its memory.
 class l3d_trim_triangles {
 public:
     using stretch = std::array<double, 2>;
@@ -21,25 +21,25 @@ public:
     /// Cuts a region that lies in a box.
     void cut(const l3d_trim_region& region, const l3d_trim_box& box);
 
-    /// Triangles that meet without a T, counterclockwise if u runs to the right and v upwards. On
-    /// the box's sides there may be corners that neighbours lack. Triangles without area fill what
-    /// rounding may open between straight sides and these.
+    /// Triangles that meet without T-junctions, counterclockwise if u runs to the right and v
+    /// upwards. On the box's sides there may be corners that neighbours lack. Triangles without
+    /// area fill gaps that rounding may open between straight sides and these corners.
     std::span<const std::array<l3d_trim_place, 3>> triangles() const { return triangles_; }
 
-    /// Where the region reaches the sides of the box. Shape: v low, v high, u low, u high; each in
-    /// order.
+    /// The parts of the box's sides that the region reaches. Shape: v low, v high, u low, u high;
+    /// each in order.
     const std::array<std::vector<stretch>, 4>& sides() const { return sides_; }
 
     /// A side of a triangle. If u runs to the right and v upwards, the triangle is on its left.
     struct border_side {
         l3d_trim_place from, to;
         std::size_t triangle;
-        l3d_trim_use use; ///< the edge that it follows, if it does
+        l3d_trim_use use; ///< the edge that it follows, if any
     };
     /// The region's border within the box, in the order of the triangles.
     std::span<const border_side> border() const { return border_; }
-    /// The parts of the border that follow edges, also those on the box's sides; these are beside
-    /// no triangle of their own.
+    /// The parts of the border that follow edges, including those on the box's sides; the latter
+    /// are beside no triangle of their own.
     std::span<const border_side> followed() const { return followed_; }
 
 private:
@@ -52,25 +52,25 @@ private:
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// A trapezoid. It has two corners below and two above; two corners of a side that is a point
-    /// are equal.
+    /// A trapezoid. It has two corners below and two above, which are equal where a side is a
+    /// point.
     struct layer {
         std::array<l3d_trim_place, 2> low, high; ///< left and right
         std::array<l3d_trim_use, 2> use;         ///< the left one, and the right one; upwards
         std::array<std::size_t, 2> side;         ///< as l3d_trapezoid has them
-        std::size_t next = none;                 ///< the layer that goes on above all of it
-        bool goes_on = false;                    ///< whether it is another one's next
+        std::size_t next = none;                 ///< the layer that continues above its whole side
+        bool goes_on = false;                    ///< whether it continues another layer
 
         bool is_wide_below() const { return low[0] != low[1]; }
         bool is_wide_above() const { return high[0] != high[1]; }
     };
-    /// A corner of layers one above another. Its places in their left and right border are none if
-    /// it is on the other one alone.
+    /// A corner of layers one above another. Its indices in their left and right border; none in a
+    /// border that it is not on.
     struct chain_corner {
         l3d_trim_place at;
         std::array<std::size_t, 2> place;
     };
-    /// The corners of a border of layers, upwards, and what its sides follow.
+    /// The corners of a border of layers, upwards, and the edges that its sides follow.
     struct chain {
         std::vector<l3d_trim_place> corners;
         std::vector<l3d_trim_use> uses;
@@ -87,7 +87,7 @@ private:
     void find_followed();
     void find_level_border();
 
-    const l3d_trim_region* region_ = nullptr; ///< while it is cut
+    const l3d_trim_region* region_ = nullptr; ///< during the cut
     l3d_trim_box box_;
     l3d_trapezoids trapezoids_;
     std::vector<std::array<l3d_trim_place, 3>> triangles_;
@@ -101,13 +101,13 @@ private:
     std::vector<chain_corner> corners_, waiting_;
 };
 
-/// Quads of a grid: from a row and a column on, up to others.
+/// Quads of a grid: from a row and a column on, before the end of each.
 struct l3d_trim_block {
     std::size_t row, end_row, column, end_column;
 };
 
-/// Calls visit(use, from, to) for each quad's side of a block, all of which a region fills, where
-/// the region follows an edge: on the block's border.
+/// Calls visit(use, from, to) for the sides of quads on the border of a block that a region fills,
+/// where the region follows an edge.
 template <class Visit>
 void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const double> u,
                             std::span<const double> v, const l3d_trim_block& of,
@@ -134,9 +134,9 @@ void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const doubl
         }
 }
 
-/// Halves a region along a grid's lines. Calls visit(block, nullptr) for quads that lie outside,
-/// and visit(block, region) for those that lie inside or for one that the border passes through.
-/// The region of quads that lie inside is all of the block.
+/// Halves a region along a grid's lines. Calls visit(block, nullptr) for quads outside, and
+/// visit(block, region) for quads inside or a single one that the border crosses. The region of
+/// quads inside is the whole block.
 /// Expects: the region lies in the block.
 template <class Visit>
 void l3d_for_trimmed_blocks(const l3d_trim_region& region, std::span<const double> u,

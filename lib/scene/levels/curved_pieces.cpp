@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_curved_pieces: as many cells as a level needs.
+// l3d_curved_pieces: cuts pieces into as many cells as a level needs.
 #include "scene/levels/curved_pieces.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace {
 
 using patch = l3d_curved_pieces::patch;
 
-/// A part of a piece, and where it is in the piece.
+/// A part of a piece, and its range in the piece.
 struct ranged_part {
     l3d_rational_piece part;
     l3d_parameter_range range{};
@@ -25,7 +25,7 @@ struct ranged_part {
     }
 };
 
-/// Calls visit(part) with the cells of a part, but for those that is_hidden(part) leaves out. All
+/// Calls visit(part) with the cells of a part, except those for which is_hidden(part) holds. All
 /// cuts along u come before those along v. So cells on both sides of a common boundary halve it in
 /// the same order.
 template <class Cut, class Hidden, class Visit>
@@ -41,8 +41,8 @@ void for_each_cell(const ranged_part& of, const Cut& is_cut, const Hidden& is_hi
         for_each_cell(of.half(in_u, second), is_cut, is_hidden, visit);
 }
 
-/// Where there are trims, they get three quarters of the error of places. For a quarter, cells need
-/// hardly more halvings.
+/// Where there are trims, their polygons have three quarters of the error of places. With the
+/// remaining quarter, cells need hardly more halvings.
 constexpr double share_of_cells = 0.25;
 
 /// A cell of a piece.
@@ -53,8 +53,8 @@ struct cell {
     double error, allowed; ///< errors of places
 };
 
-/// How long a unit of the piece's u and v is at most in its cells: 3 differences of control points
-/// for each of their own.
+/// Upper bounds of the length of a unit of the piece's u and v in its cells: 3 differences of
+/// control points for each of the cells' own units.
 l3d_trim_place lengths_of(std::span<const cell> cells) {
     l3d_trim_place result{0, 0};
     for (const cell& one : cells)
@@ -68,8 +68,9 @@ l3d_trim_place lengths_of(std::span<const cell> cells) {
     return result;
 }
 
-/// The error of places that is allowed in a part of a piece and `beside` it in space; infinite if
-/// the region shows nothing of it. `lengths` are those of the cells, the ones that may be seen.
+/// The error of places that is allowed in a part of a piece, and in `beside` around it in space;
+/// infinite if the region shows nothing of it. `lengths` are those of `cells`, the ones that may be
+/// seen.
 double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
                   const l3d_trim_place& lengths, const l3d_cell_wish& wanted, double beside) {
     double result = std::numeric_limits<double>::infinity();
@@ -81,7 +82,7 @@ double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
             continue;
         const auto middle = one.of.evaluate(((u0 + u1) / 2 - at.u0) / (at.u1 - at.u0),
                                             ((v0 + v1) / 2 - at.v0) / (at.v1 - at.v0));
-        // A box in space that holds all of the part.
+        // A box in space that holds the whole part.
         const double reach =
             ((u1 - u0) * lengths[0] + (v1 - v0) * lengths[1]) / 2 + beside + one.error;
         std::array<l3d_vector<double, 4>, 8> corners;
@@ -95,8 +96,8 @@ double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
     return result;
 }
 
-/// Calls visit(cell, region) for each cell of a part of a piece of which the trims leave something.
-/// The region is empty where they leave all.
+/// Calls visit(cell, region) for each cell of a part of a piece that trims do not remove wholly.
+/// The region is empty where trims remove nothing.
 template <class Visit>
 void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& part,
                       const l3d_trim_region& region, const Visit& visit) {
@@ -108,7 +109,7 @@ void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& pa
             visit(one, l3d_trim_region());
         return;
     }
-    // Cells come in the order in which for_each_cell cuts. Those that are not seen are missing.
+    // Cells come in the order in which for_each_cell cuts. Cells that are not seen are missing.
     const l3d_parameter_range& any = cells.front().range;
     const bool along_u = any.u0 != part.u0 || any.u1 != part.u1;
     if (!along_u && any.v0 == part.v0 && any.v1 == part.v1)
@@ -123,7 +124,7 @@ void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& pa
     for_each_trimmed(cells.subspan(count), part.half(along_u, true), high, visit);
 }
 
-/// About the length of a unit of a piece's u and v, by its control net.
+/// The approximate length of a unit of a piece's u and v, by its control net.
 l3d_trim_place rough_lengths_of(const l3d_patch_points& piece) {
     l3d_trim_place result{0, 0};
     const auto width = static_cast<std::size_t>(piece.degree_u) + 1;
@@ -141,7 +142,7 @@ l3d_trim_place rough_lengths_of(const l3d_patch_points& piece) {
     return result;
 }
 
-/// How a cell keeps what is wanted.
+/// How well a cell keeps the allowed errors, and how it should be cut.
 struct verdict {
     double error = 0;
     bool cut_u = false, cut_v = false;
@@ -162,13 +163,13 @@ l3d_rational_piece part_of(const l3d_patch_points& piece, const l3d_parameter_ra
     return result.part;
 }
 
-/// Judges a cell of a piece. If it is off, its halves tell which way it is to be cut.
+/// Judges a cell of a piece. If its error is too large, its halves decide the direction of the cut.
 verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_parameter_range& at,
                double allowed, double allowed_normal, l3d_found_cells& found) {
-    // Where normals have no bound, as at a cusp, cutting may never give one. Lines are cut for one
+    // Where normals have no bound, as at a cusp, cuts may never give one. So lines are cut for one
     // only if 16 by 16 parts of the cell all have one.
     constexpr int most_without_bound = 4;
-    // Rounding, or a cusp, is reached where halving no longer gains a tenth.
+    // A gain of less than a tenth shows rounding or a cusp.
     constexpr double gain = 0.9;
     const auto error_of = [&](const l3d_parameter_range& of, bool of_places) {
         const auto make = [&] { return part_of(piece, of); };
@@ -180,7 +181,7 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
     const double now = error_of(at, is_off);
     if (!is_off && !(now > allowed_normal))
         return result;
-    // Ends with the first part that gains too little.
+    // Stops at the first part that gains too little.
     const auto left_by = [&](int m, int n) {
         const double u = std::ldexp(at.u1 - at.u0, -m), v = std::ldexp(at.v1 - at.v0, -n);
         const auto part = [&](int i) -> l3d_parameter_range {
@@ -210,7 +211,7 @@ struct boundary {
     bool is_symmetric = false; ///< whether both directions are alike
 };
 
-/// The four boundaries. Nothing for a boundary that is a point.
+/// The four boundaries. A boundary that is a point is left out.
 std::array<std::optional<boundary>, 4> boundaries_of(const l3d_patch_points& piece) {
     const auto m = static_cast<std::size_t>(piece.degree_u);
     const auto n = static_cast<std::size_t>(piece.degree_v);
@@ -262,7 +263,7 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
     unite_common_boundaries();
 }
 
-/// The most that the edges are off which a region follows; negative if it follows none.
+/// The largest error of the edges that a region follows; negative if it follows none.
 double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     double result = -1;
     for (const l3d_trim_polygon& polygon : region.polygons)
@@ -272,7 +273,7 @@ double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     return result;
 }
 
-/// A line that meets itself the other way round, as on a Moebius band, is cut symmetrically.
+/// A line that meets itself in reverse, as on a Moebius band, is cut symmetrically.
 void l3d_curved_pieces::unite_common_boundaries() {
     std::map<std::vector<double>, l3d_detail::directed_sets::place> lines;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -343,8 +344,8 @@ void l3d_curved_pieces::halve(cuts& by, std::size_t index, double place) const {
         add(1 - place);
 }
 
-/// Cells that are off are halved until none is. A halving cuts all cells along its line, and those
-/// of all pieces that share the line.
+/// Cells with too large an error are halved until there is none. A halving cuts all cells along its
+/// line, and those of all pieces that share the line.
 l3d_curved_pieces::cuts l3d_curved_pieces::cuts_for(const l3d_cell_wish& wanted, const cuts& from,
                                                     l3d_found_cells& found) const {
     using places = std::vector<double>;

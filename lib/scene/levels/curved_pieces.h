@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_curved_pieces: rational patches of any degree, cut into cells that bicubic ones approximate.
+// l3d_curved_pieces: rational patches of any degree, cut into cells that bicubic patches
+// approximate.
 #ifndef L3D_SCENE_CURVED_PIECES_H
 #define L3D_SCENE_CURVED_PIECES_H
 
@@ -26,7 +27,7 @@
 struct l3d_cell_wish {
     double places = 0; ///< error of places that is always allowed, in the pieces' unit
     int normals = 0;   ///< the level of normals
-    /// The region that is seen; without one, all is.
+    /// The region that is seen; without a region, everything is seen.
     std::optional<l3d_seen_region> region{};
     double places_by_depth = 0; ///< error of places that is allowed at depth 1 in the region
 
@@ -34,7 +35,7 @@ struct l3d_cell_wish {
 
     /// The error of places that is allowed in the hull of these points (see l3d_seen_region).
     double allowed(std::span<const l3d_vector<double, 4>> points) const;
-    /// The error of unit normals that is allowed in a cell that is this part of its piece.
+    /// The error of unit normals that is allowed in a cell with this range in its piece.
     double normals_of(const l3d_parameter_range& cell) const;
 };
 
@@ -50,7 +51,7 @@ using l3d_by_cell = std::unordered_map<std::array<double, 5>, T, l3d_detail::num
 /// The bicubic patches and normals that approximate cells, kept from one search to the next.
 class l3d_found_cells {
 public:
-    /// The patch for a part of a piece; make() computes it if it is not known yet.
+    /// The patch for a part of a piece; make() gives the part if the patch is not known yet.
     /// Expects: parts are the same bit for bit whenever they are made.
     /// Lives:   until forget_if_many().
     template <class Make>
@@ -58,13 +59,13 @@ public:
                                            const Make& make) {
         return of(patches_, piece, at, make);
     }
-    /// Its normals, which take longer to find. Expects, Lives: as patch().
+    /// The part's normals, which take longer to compute. Expects, Lives: as patch().
     template <class Make>
     const l3d_normal_approximation& normals(std::size_t piece, const l3d_parameter_range& at,
                                             const Make& make) {
         return of(normals_, piece, at, make);
     }
-    /// Forgets all if they are more than 2^15, which take some 50 MB.
+    /// Forgets all cells if there are more than 2^15, which take some 50 MB.
     void forget_if_many() {
         if (patches_.size() > std::size_t{1} << 15) {
             patches_.clear();
@@ -88,9 +89,9 @@ private:
 
 /// Cuts rational Bezier patches, the pieces, into cells, which models draw as bicubic patches.
 ///
-/// The ranges of u and of v of a piece are each halved, and halves again, as far as some cell needs
-/// it. Pieces with a common boundary are halved alike along it, and their cells have the same
-/// boundaries there, bit for bit.
+/// The ranges of u and of v of a piece are each halved repeatedly, as far as some cell needs it.
+/// Pieces with a common boundary are halved alike along it, so their cells have the same boundaries
+/// there, bit for bit.
 class l3d_curved_pieces {
 public:
     using patch = l3d_bezier_patch<double, 3>;
@@ -112,19 +113,18 @@ public:
     const vector& most() const { return most_; }
 
     /// Levels of places and of normals are from 0 to this. The finest level of places asks for
-    /// errors of 2^-42 of the box's diagonal; rounding of doubles would leave little of a finer
-    /// one.
+    /// errors of 2^-42 of the box's diagonal; a finer one would be mostly rounding of doubles.
     static constexpr int most_level = 32;
     /// The bound of errors of places that a level asks for. Cells keep it if there are no more than
     /// most_cells. Two levels more ask for a quarter of the bound, which takes twice the cells.
     double place_target(int level) const;
     /// The bound of errors of unit normals that a level asks for: at level 0, 0.45 levels of
-    /// Lambert's 229.5. Two levels more ask for an eighth of it. Cells are not halved for it more
-    /// than most_halvings_for_normals and `level` times, so that cusps do not take all cells.
+    /// Lambert's 229.5. Two levels more ask for an eighth of it. Cells are halved for it at most
+    /// most_halvings_for_normals + `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
-    /// Errors fall by 64 where cells are halved both ways. From 2, the largest there is, two such
-    /// steps lead to 2^-11, below the target of level 0. Two more are for pieces that bend so
-    /// much that errors fall less at first; each step is two halvings.
+    /// Errors fall by 64 where cells are halved both ways. From 2, the largest possible error, two
+    /// such steps lead to 2^-11, below the target of level 0. Two more steps are for pieces that
+    /// bend so much that errors fall less at first; each step is two halvings.
     static constexpr int most_halvings_for_normals = 2 * (2 + 2);
     /// Cells that a model may have at any level: some 300 MB.
     static constexpr double most_cells = 0x1p17;
@@ -132,35 +132,35 @@ public:
     /// The cells of a level.
     struct cells {
         std::vector<patch> patches;
-        std::vector<l3d_normal_net> normals;     ///< the piece's, for each patch
+        std::vector<l3d_normal_net> normals;     ///< the piece's value, for each patch
         std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
         std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
-        /// The region of each patch, from 0 to 1, that is there; empty where all of it is.
+        /// The remaining region of each trimmed patch, in coordinates from 0 to 1; empty where all
+        /// of it remains.
         std::vector<l3d_trim_region> trims;
         /// For each patch, a bound of errors of places, trims included, in the pieces' unit.
         std::vector<double> errors;
-        double share = 0; ///< the largest ratio of an error to the one that is allowed for its
-                          ///< patch
-        /// For each patch, how far the edges that it follows may be off; negative if there are
-        /// none.
+        double share = 0; ///< the largest ratio of a patch's error to its allowed error
+        /// For each patch, the error of the edges that it follows; negative if there are none.
         std::vector<double> edges_off;
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
     /// Whether any piece has trims.
     bool has_trims() const { return has_trims_; }
-    /// The approximate number of corners of trims' polygons at a level, besides ends of curves.
+    /// The approximate number of corners of trims' polygons at a level, without the ends of curves.
     double trim_corners(int level) const { return trim_bends_ / std::sqrt(place_target(level)); }
     /// The halvings of all pieces.
     struct cuts {
-        /// For each line that l3d_curved_pieces keeps, the parameters at which it is cut, in order.
+        /// For each line that l3d_curved_pieces keeps, the parameters of its cuts, in order.
         std::vector<std::vector<double>> of_lines;
         double cells = 0; ///< the number of cells
         double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
     };
-    /// Finds the cuts that cells need. The search begins with the cuts of a coarser level.
+    /// Finds the cuts that the wanted cells need. The search begins with the cuts of a coarser
+    /// level.
     /// Expects: a level of normals from 0 to most_level; `from` is empty, or was made here.
     cuts cuts_for(const l3d_cell_wish& wanted, const cuts& from, l3d_found_cells& found) const;
-    /// Makes the cells of these cuts that are not hidden.
+    /// Makes the cells of these cuts, without those that are hidden.
     cells cut(const cuts& by, const l3d_cell_wish& wanted, l3d_found_cells& found) const;
 
 private:

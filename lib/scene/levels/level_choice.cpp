@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Levels of curved models, by the view alone (NUMERICS, section 25).
+// Levels of curved models, chosen by the view alone (NUMERICS, section 25).
 #include "scene/levels/level_choice.h"
 
 #include "geom/transform.h"
@@ -15,7 +15,7 @@ namespace {
 
 using vector = l3d_patch_scene::vector;
 
-/// Frobenius' norm of the upper left three by three: no vector becomes longer by more than that.
+/// Frobenius' norm of the upper left three by three: no vector grows by a larger factor.
 double norm_of(const l3d_matrix<double>& m) {
     double squares = 0;
     for (int row = 0; row < 3; ++row)
@@ -24,16 +24,16 @@ double norm_of(const l3d_matrix<double>& m) {
     return std::sqrt(squares);
 }
 
-/// A level of more patches is not made: the picture gets patches of its own. So many take a quarter
-/// of a second to make, once.
+/// No level of more patches is made: the picture has patches of its own instead. So many patches
+/// take a quarter of a second to make, once.
 constexpr double most_of_all = 8192;
 
-/// The factors of an instance's placement on errors, and the place of the instance.
+/// The factors by which an instance's placement multiplies errors, and the place of the instance.
 struct seen_instance {
     double stretch = 1; ///< factor of lengths
     double turn = 1;    ///< factor of the distance of unit normals
     double least_w = 0, most_w = 0;
-    double focal = 0; ///< at the farthest corner of the window: the most pixels of a unit
+    double focal = 0; ///< at the farthest corner of the window: most pixels of a unit
     double near = 0;
 
     seen_instance(const l3d_patch_instance& instance, const l3d_level_view& view) {
@@ -70,10 +70,11 @@ struct seen_instance {
         near = view.camera.near_z;
     }
 
-    /// The picture's wish for a model's cells; nothing if there is no region.
+    /// The errors that the picture allows a model's cells; nothing if there is no region.
     ///
-    /// At depth w >= near, an error e of places is e stretch focal / w pixels. A nearer place shows
-    /// only if it is off: an error for which pixels() is places_px at w = near is always allowed.
+    /// At depth w >= near, an error e of places is e stretch focal / w pixels. A nearer place is
+    /// drawn only by error, so an error for which pixels() is places_px at w = near is always
+    /// allowed.
     std::optional<l3d_cell_wish> wish(const l3d_patch_instance& instance,
                                       const l3d_level_view& view, int normals) const {
         const l3d_patch_model& model = instance.model();
@@ -100,8 +101,8 @@ struct seen_instance {
                              .places_by_depth = at_1};
     }
 
-    /// How many pixels a place in front of the near plane may be off that is off by `error` in the
-    /// model.
+    /// The error in pixels of a place in front of the near plane whose error in the model is
+    /// `error`.
     double pixels(double error) const {
         const double e = error * stretch;
         const double w = std::max(least_w, near - e);
@@ -130,7 +131,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
         };
         const int normals = first(
             [&](int level) { return seen.turn * model.normal_target(level) <= view.normals; });
-        // By what its patches keep, which is often less than what the level asks for.
+        // This compares the errors that patches have, which are often less than the level asks.
         const auto is_well = [&](double error) { return seen.pixels(error) <= view.places_px; };
         std::optional<l3d_cell_wish> wanted;
         const int places = first([&](int level) {
@@ -151,7 +152,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
     return result;
 }
 
-/// It is the same model: nothing has changed that a program knows of.
+/// The model stays the same for a program: only its level changes.
 void l3d_patch_scene::take_level(std::size_t index, const l3d_patch_model& finer) {
     l3d_patch_instance& instance = instances_[index];
     if (finer.identity() == instance.model().identity())

@@ -6,9 +6,9 @@
 #include "scene/camera.h"
 #include "tool_2d/pixels.h"
 
-/// The parts of both tolerances that errors of curved models may take. Their errors of places fall
+/// The shares of both tolerances that errors of curved models may take. Their errors of places fall
 /// with the fourth power of the number of patches along a side, and those of normals with the
-/// third. So larger parts would save little.
+/// third. So larger shares would save little.
 inline constexpr double l3d_curved_share = 0.125, l3d_curved_share_of_shade = 0.25;
 
 /// A picture, and the largest errors that its curved models may have.

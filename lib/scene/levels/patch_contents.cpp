@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The data of l3d_patch_model: found once for each patch, and for each level when it is asked for.
+// The data of l3d_patch_model: computed once for each patch, and for each level on request.
 #include "scene/levels/patch_contents_p.h"
 
 #include "scene/culling/closed_body.h"
@@ -40,10 +40,10 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-/// Boxes grow by what edges are off that a patch follows.
+/// Boxes grow by the error of the edges that a patch follows.
 void l3d_patch_model::contents::learn(const contents* like,
                                       std::span<const std::size_t> places_in_like) {
-    const bool has_normals = !normals.empty(); // those of pieces, not of patches
+    const bool has_normals = !normals.empty(); // normals of pieces, not of patches
     normals.reserve(patches.size());
     for (const patch& p : patches) {
         const std::size_t index = facing.size();
@@ -135,7 +135,7 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     if (!kept) {
         const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
         std::vector<std::vector<double>> cut_like = by.of_lines;
-        if (pieces.has_trims()) // whose polygons differ at each level
+        if (pieces.has_trims()) // polygons differ at each level
             cut_like.push_back({static_cast<double>(places)});
         std::shared_ptr<const contents>& same = made_[cut_like];
         if (same)
@@ -148,7 +148,7 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     return kept;
 }
 
-/// A part of a body is no body, and what is hidden is still part of the model's box.
+/// A part of a body is no body, and the model's box still holds its hidden parts.
 std::shared_ptr<const l3d_patch_model::contents>
 l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
     const std::scoped_lock lock(mutex_);
@@ -176,10 +176,10 @@ l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
 
 namespace {
 
-/// How far unit normals turn if control points move by `off`. Derivatives are means of differences
-/// of control points, and move by 6 off; so n = S_u x S_v moves by some d. S_u and S_v are means of
-/// their own control vectors, and n.a is bilinear: its least value is that of a pair of these. Unit
-/// vectors are apart by twice the distance by the length, at most.
+/// The largest change of unit normals if control points move by `off`. Derivatives are means of
+/// differences of control points, and move by 6 off, so n = S_u x S_v moves by some d. S_u and S_v
+/// are means of control vectors, and n.a is bilinear in them, so its least value is that of a pair.
+/// Unit vectors then differ by at most twice the distance over the length.
 double turn_of(const l3d_bezier_patch<double, 3>& p, double off) {
     std::vector<vector> along_u, along_v;
     for (int i = 0; i < 4; ++i)

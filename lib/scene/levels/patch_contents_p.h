@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-/// The bends of a patch, computed at the first call: cells outside the window never need theirs.
+/// The bends of a patch, computed at the first call: cells outside the window need none.
 class l3d_patch_model::bends_on_demand {
 public:
     const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
@@ -37,9 +37,9 @@ private:
 };
 
 struct l3d_patch_model::contents {
-    /// Copies the data of each patch that `like`, if it is not null, has at the same index.
+    /// Copies the data of each patch that `like`, if not null, has at the same index.
     contents(std::vector<patch> of, const contents* like);
-    /// The cells of a curved model. Data of equal cells are copied from `like`, if it is not null.
+    /// The cells of a curved model. Data of equal cells are copied from `like`, if not null.
     contents(l3d_curved_pieces::cells of, const contents* like);
 
     std::vector<patch> patches;
@@ -60,7 +60,7 @@ struct l3d_patch_model::contents {
     std::vector<double> edges_off;           ///< as l3d_curved_pieces::cells has it
     std::vector<double> errors;              ///< errors of places, one for each patch
     double surface_error = 0, normal_error = 0;
-    double share = 0; ///< the largest ratio of an error of places to the one that is allowed there
+    double share = 0; ///< the largest ratio of an error of places to the allowed one
 
 private:
     void learn(const contents* like, std::span<const std::size_t> places_in_like);
@@ -70,14 +70,14 @@ private:
 struct l3d_patch_model::stated {
     stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
 
-    /// is_of_points is false where errors of points may turn normals by any angle.
+    /// `is_of_points` is false where errors of points may turn normals by any angle.
     std::vector<l3d_patch_error> errors;
     double places = 0;  ///< the largest
     double normals = 0; ///< the largest of pieces with is_of_points
 };
 
-/// The pieces of a curved model, and the levels that somebody has asked for. Contents of another
-/// model's levels help to make them.
+/// The pieces of a curved model, and its levels made so far. Contents of another model's levels
+/// help to make them.
 struct l3d_patch_model::source {
     using kept_levels = std::map<std::pair<int, int>, std::shared_ptr<const contents>>;
 
@@ -91,14 +91,14 @@ struct l3d_patch_model::source {
 
     std::shared_ptr<const contents> at_level(int places, int normals) const;
     /// The largest error of places of a level, and the number of its patches. Each corner of a trim
-    /// counts as a part of a patch, since frames cut quads there.
+    /// counts as a share of a patch, since frames cut quads there.
     std::pair<double, double> error_and_count(int places, int normals) const {
         const std::scoped_lock lock(mutex_);
         const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
         constexpr double of_corner = 1.0 / 4;
         return {by.error, by.cells + of_corner * pieces.trim_corners(places)};
     }
-    /// The contents for a wish with a region; null if that hides all.
+    /// The contents for a wish with a region; null if the region hides all.
     std::shared_ptr<const contents> seen(const l3d_cell_wish& wanted) const;
 
     l3d_curved_pieces pieces;
@@ -111,7 +111,7 @@ private:
         return {.places = pieces.place_target(places), .normals = normals};
     }
     /// The cuts of a level, which start from those of the coarser level of places or, at its level
-    /// 0, of normals. So a level is the same whichever is asked for first.
+    /// 0, of normals. So a level does not depend on the order of requests.
     const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const;
 
     mutable std::mutex mutex_;
@@ -120,7 +120,7 @@ private:
     mutable std::map<std::vector<std::vector<double>>, std::shared_ptr<const contents>> made_;
     mutable kept_levels levels_;
     mutable l3d_found_cells found_;
-    /// By wishes with regions; the one that was asked for last comes first.
+    /// By wishes with regions; the last request comes first.
     mutable std::list<std::pair<l3d_cell_wish, std::shared_ptr<const contents>>> seen_;
     const kept_levels like_;
 };

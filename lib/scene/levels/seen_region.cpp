@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_seen_region: four sides, wide enough for all views with the same rounded eye and direction.
+// l3d_seen_region: four sides that enclose all views with the same rounded eye and direction.
 #include "scene/levels/seen_region.h"
 
 #include "scene/sides/shared_edges.h"
@@ -15,8 +15,8 @@ namespace {
 using vector = l3d_seen_region::vector;
 
 /// Eyes and directions are rounded to a sixteenth of half of the picture. Coarser grids keep the
-/// region longer while the camera moves, but make it larger: with a sixteenth, it is about twice as
-/// large as a picture of 4 by 3.
+/// region for longer while the camera moves, but make it larger. With a sixteenth, it is about
+/// twice as large as a picture of 4 by 3.
 constexpr double grid_share = 1.0 / 16;
 
 /// The power of two that is at most x.
@@ -33,7 +33,7 @@ double value_of(const std::array<double, 4>& sum, const l3d_vector<double, 4>& p
     return sum[0] * p[0] + sum[1] * p[1] + sum[2] * p[2] + sum[3] * p[3];
 }
 
-/// A unit vector across another one.
+/// A unit vector perpendicular to another one.
 vector across(const vector& v) {
     vector axis(0.0);
     int least = 0;
@@ -56,11 +56,11 @@ vector across(const vector& v) {
 /// + b z)).
 std::optional<l3d_seen_region> l3d_seen_region::of(const l3d_camera& camera, l3d_size size,
                                                    double least_depth, double reach) {
-    // Filters, patches that are off by a part of a pixel, and strips beside what is not seen.
+    // The margin for filters, for errors of a part of a pixel, and for strips beside hidden parts.
     constexpr double rim_px = 2 + l3d_longest_shared_chord;
     const double half_px = std::hypot(size.width, size.height) / 2 + rim_px;
     const double t = half_px / camera.focal_length(size);
-    // Half of the picture where things are nearest, in the world's unit.
+    // Half of the picture at the nearest things, in the world's unit.
     const double half =
         camera.is_parallel() ? half_px / camera.scale_at_target(size) : t * least_depth;
     // In wide pictures, a turn moves depths at the rim by more than half of the picture's part.
@@ -70,7 +70,7 @@ std::optional<l3d_seen_region> l3d_seen_region::of(const l3d_camera& camera, l3d
     const double turn_grid = power_below(std::min(grid_share * turn, grid_share));
     const vector eye = rounded(camera.is_parallel() ? camera.target : camera.eye, eye_grid);
     const vector z = l3d_normalized(rounded(forward, turn_grid));
-    // Half of the diagonal of a cube of the grid; the length of a direction is off by as much.
+    // Half of the diagonal of a cube of the grid; the length of a direction errs by as much.
     const double e = std::numbers::sqrt3 / 2 * eye_grid, d = std::numbers::sqrt3 * turn_grid;
     double a = half + e + d * reach, b = 0;
     std::array<double, 2> depth{0, 1}; // factors of z and of 1

@@ -12,28 +12,28 @@
 #include <optional>
 #include <span>
 
-/// A pyramid, or a square column in a parallel projection, that holds all that a picture shows and
-/// some of what is around it.
+/// A pyramid, or a square column in a parallel projection, that holds everything that a picture
+/// shows, and some space around it.
 ///
-/// It is a function of the view alone. The eye and the direction of sight are rounded to grids, so
-/// it stays the same while the camera moves a little.
+/// It depends on the view alone. The eye and the direction of sight are rounded to grids, so it
+/// stays the same while the camera moves a little.
 class l3d_seen_region {
 public:
     using vector = l3d_vector<double, 3>;
 
     /// The region of a view; nothing if its numbers would be too small or too large.
     ///
-    /// Units:   `least_depth` is the least distance along the view axis of anything that is to be
-    ///          drawn; `reach` is the largest distance from the target, for a parallel projection.
+    /// Units:   `least_depth` is the least distance along the view axis of anything drawn; `reach`
+    ///          is the largest distance from the target, for a parallel projection.
     /// Expects: a valid camera, least_depth > 0.
     static std::optional<l3d_seen_region> of(const l3d_camera& camera, l3d_size size,
                                              double least_depth, double reach);
 
-    /// The same region in the coordinates of a model that stands at this place.
+    /// The same region in the coordinates of a model with this placement.
     l3d_seen_region in(const l3d_matrix<double>& placement) const;
 
-    /// Whether the hull of some points lies outside of one of the four sides. Points are (x w, y w,
-    /// z w, w) with positive weights w.
+    /// Whether the hull of some points lies beyond one of the four sides. Points are (x w, y w, z
+    /// w, w) with positive weights w.
     bool hides(std::span<const l3d_vector<double, 4>> points) const;
     /// The least depth of the hull of such points, in any of the views: the distance along the view
     /// axis, or 1 in a parallel projection. It may be negative.
@@ -46,8 +46,8 @@ public:
 private:
     /// The factors of x, y, z and 1.
     using sum = std::array<double, 4>;
-    std::array<sum, 4> sides_{}; ///< sums that are not negative inside, one for each side
-    sum depth_{};                ///< a bound from below of the depth of places inside
+    std::array<sum, 4> sides_{}; ///< sums that are not negative inside; one for each side
+    sum depth_{};                ///< a lower bound of the depth of places inside
 };
 
 #endif
