@@ -182,7 +182,7 @@ void l3d_fd_dicer::dice(const l3d_image_patch& net, const l3d_normal_net& normal
     counts.samples += static_cast<std::int64_t>(piece.u.size() * piece.v.size());
     counts.bound_px = std::max(counts.bound_px, piece.bound);
     for (std::size_t side = 0; side < outer.size(); ++side) {
-        l3d_close_side(piece, side, outer[side]);
+        l3d_close_side(piece, side, outer[side], view);
         counts.add_edge(outer[side].size(),
                         outer[side].chord_error() +
                             accuracy.drawn_error(l3d_vertex_accuracy::in_front));

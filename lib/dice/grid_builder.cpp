@@ -99,7 +99,7 @@ template <class T> void l3d_grid_builder<T>::close(const piece& p, l3d_diced_pie
         const l3d_piece_side& along = p.sides[side];
         const l3d_edge_polyline& edge = (*edges_)[along.edge];
         if (edge.strips().blocks > 0) {
-            l3d_close_side(out, side, edge, along.t0, along.t1);
+            l3d_close_side(out, side, edge, view_, along.t0, along.t1);
         } else {
             fill_slit(
                 p, side, [&](int r, int c) { return grid_vertex(p, grid, r, c); },

@@ -3,9 +3,12 @@
 #include "nasty.h"
 #include "odd_view.h"
 #include "dice/edges/gap_filler.h"
+#include "raster/pixel_centres.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -137,7 +140,7 @@ TEST(slit, along_a_whole_side_is_that_of_any_row) {
         // Whole patches, and halves of a patch that was cut along this edge.
         const double high = random.between(0, 1) < 0.5 ? 1 : 0.5;
         l3d_diced_piece quick = piece_along(edge, strips, side, 0, high, view, random);
-        l3d_close_side(quick, side, line);
+        l3d_close_side(quick, side, line, view);
         l3d_diced_piece slow;
         slow.keep_parameters = true;
         l3d_fill_gap(boundary_of(quick, side), line, view, slow);
@@ -184,7 +187,7 @@ TEST(slit, along_a_stretch_is_that_of_any_row) {
             grid.inv_w[index] = v.inv_w;
         }
         const l3d_diced_piece before = quick;
-        l3d_close_side(quick, side, line, t0, t1);
+        l3d_close_side(quick, side, line, view, t0, t1);
         for (const int at : {0, last}) {
             const std::size_t index = along_u ? grid.index(across, at) : grid.index(at, across);
             EXPECT_EQ(grid.x[index], before.part.grid.x[index]);
@@ -215,7 +218,7 @@ TEST(slit, is_empty_where_the_row_has_the_steps_of_the_edge) {
                              line.strips().first[static_cast<std::size_t>(s)]);
         const auto side = static_cast<std::size_t>(seed % 4);
         l3d_diced_piece piece = piece_along(edge, strips, side, 0, 1, view, random);
-        l3d_close_side(piece, side, line);
+        l3d_close_side(piece, side, line, view);
         EXPECT_EQ(piece.part.triangles.count, 0u);
         const auto row = boundary_of(piece, side);
         ASSERT_EQ(row.size(), line.size());
@@ -239,6 +242,60 @@ std::int64_t doubled_area(const std::vector<l3d_micro_vertex>& polygon) {
     return sum;
 }
 
+/// Whether a pixel's centre lies in a triangle or on its sides, looked for in all of its box.
+bool holds_centre(const l3d_micro_triangles& triangles, std::size_t i) {
+    const l3d_micro_vertex a = triangles.vertex(i, 0), b = triangles.vertex(i, 1),
+                           c = triangles.vertex(i, 2);
+    const auto columns = l3d_centres_in(std::min({a.x, b.x, c.x}), std::max({a.x, b.x, c.x}));
+    const auto rows = l3d_centres_in(std::min({a.y, b.y, c.y}), std::max({a.y, b.y, c.y}));
+    const auto centre = [](std::int32_t at) {
+        return at * l3d_subpixel_one + l3d_subpixel_one / 2;
+    };
+    for (std::int32_t y = rows.first; y <= rows.last; ++y)
+        for (std::int32_t x = columns.first; x <= columns.last; ++x) {
+            const l3d_micro_vertex at{centre(x), centre(y), 0, {}};
+            const std::array turns{doubled_area({a, b, at}), doubled_area({b, c, at}),
+                                   doubled_area({c, a, at})};
+            if (std::ranges::min(turns) >= 0 || std::ranges::max(turns) <= 0)
+                return true;
+        }
+    return false;
+}
+
+/// The switch keeps triangles that hold no centre. Boxes of more than 32 lines are not looked at.
+TEST(slit, has_only_triangles_that_hold_a_centre_unless_a_switch_keeps_the_others) {
+    std::size_t all = 0, kept = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::array<l3d_diced_piece, 2> pieces;
+        for (const bool keeps : {false, true}) {
+            random_numbers random(seed);
+            auto [edge, view, line] = seen_edge(random, 0.3, 3);
+            view.keep.centreless = keeps;
+            l3d_diced_piece& piece = pieces[keeps ? 1 : 0];
+            piece = piece_along(edge, {2, 3, 5, 4}, seed % 4, 0, 1, view, random);
+            l3d_close_side(piece, seed % 4, line, view);
+        }
+        const l3d_micro_triangles &few = pieces[0].part.triangles, &many = pieces[1].part.triangles;
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < many.count; ++i) {
+            const auto is_next = [&](std::size_t k) {
+                return next < few.count && few.vertex(next, k).x == many.vertex(i, k).x &&
+                       few.vertex(next, k).y == many.vertex(i, k).y;
+            };
+            if (is_next(0) && is_next(1) && is_next(2))
+                ++next;
+            else
+                EXPECT_FALSE(holds_centre(many, i)) << "triangle " << i << " is missing";
+        }
+        EXPECT_EQ(next, few.count);
+        kept += few.count;
+        all += many.count;
+    }
+    EXPECT_GT(kept, 100u);
+    EXPECT_LT(kept, all / 2);
+}
+
 /// Only what covers no pixel is missing: all of a large slit is there.
 TEST(slit, triangles_add_up_to_the_area_between_row_and_edge) {
     for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -252,7 +309,7 @@ TEST(slit, triangles_add_up_to_the_area_between_row_and_edge) {
             x += 300 * l3d_subpixel_one;
         for (std::int32_t& y : grid.y)
             y += 700 * l3d_subpixel_one;
-        l3d_close_side(piece, seed % 4, line);
+        l3d_close_side(piece, seed % 4, line, view);
         std::vector<l3d_micro_vertex> outline;
         for (const l3d_boundary_point& point : boundary_of(piece, seed % 4))
             outline.push_back(point.vertex.dice.vertex);

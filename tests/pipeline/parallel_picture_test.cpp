@@ -127,6 +127,45 @@ TEST(parallel_picture, is_the_same_by_any_threads_and_with_all_that_is_left_out)
     EXPECT_GT(one.report().dice.backfacing + one.report().dice.back_blocks, 0);
 }
 
+/// Where slits and surfaces are equally near, the one drawn first is seen. Triangles that are left
+/// out must not change which one that is.
+TEST(parallel_picture, is_the_same_without_triangles_that_hold_no_centre) {
+    std::int64_t less = 0;
+    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        reference::random_numbers random(seed);
+        constexpr int across = 4; // bent patches that share their sides
+        constexpr std::size_t points = 3 * across + 1;
+        std::vector<reference::vec3> net;
+        const double bent = random.between(0.1, 0.6);
+        for (std::size_t i = 0; i < points * points; ++i)
+            net.push_back({4.0 * static_cast<double>(i % points) / (points - 1) - 2,
+                           random.between(-bent, bent),
+                           3.0 * static_cast<double>(i / points) / (points - 1) - 1.5});
+        std::vector<reference::patch> patches;
+        for (std::size_t v = 0; v < across; ++v)
+            for (std::size_t u = 0; u < across; ++u) {
+                reference::patch& p = patches.emplace_back();
+                for (std::size_t i = 0; i < 16; ++i)
+                    p.points[i] = net[(3 * v + i / 4) * points + 3 * u + i % 4];
+            }
+        reference::camera eye{
+            {random.between(-4, 4), random.between(1, 4), 6.3}, {0.1, 0, 0}, {0, 1, 0}, 40, 0.2};
+        eye.parallel = seed % 2 == 0;
+        const scene s{patches, eye, size};
+        l3d_afd_settings settings = hard_edged();
+        settings.tolerance = random.of_any_size(0.1, 1.5);
+        tester few(s.model, s.camera, settings);
+        few.draw_event();
+        settings.keep.centreless = true;
+        tester many(s.model, s.camera, settings);
+        many.draw_event();
+        EXPECT_EQ(few.words(), many.words());
+        less += many.report().surface.quads - few.report().surface.quads;
+    }
+    EXPECT_GT(less, 4000);
+}
+
 /// Pixels of smooth edges show all that lies in them, so backs that begin where a front ends show
 /// there, too, within the bound of the outline. Fronts hide them everywhere else. It is the same in
 /// perspective. Rules that leave out other things change no pixel.

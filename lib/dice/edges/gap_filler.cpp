@@ -15,8 +15,13 @@
 
 namespace {
 
+/// A place in the picture. Units: 1/256 pixel.
+struct slit_place {
+    std::int32_t x, y;
+};
+
 l3d_pixel_centres<std::int32_t> centres_between(std::int32_t a, std::int32_t b, std::int32_t c) {
-    return l3d_centres_in(std::min({a, b, c}), std::max({a, b, c}));
+    return l3d_centres_in(std::min(std::min(a, b), c), std::max(std::max(a, b), c));
 }
 
 /// Units: 1/256 pixel.
@@ -25,22 +30,73 @@ std::int32_t centre_of(std::int32_t pixel) {
 }
 
 /// Twice the signed area of p, q and (x, y).
-template <class Point>
-std::int64_t turn(const Point& p, const Point& q, std::int32_t x, std::int32_t y) {
+std::int64_t turn(const slit_place& p, const slit_place& q, std::int32_t x, std::int32_t y) {
     return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
-/// Whether a triangle covers nothing: its box holds no pixel's centre, or a single one that lies
-/// beyond one side, or its corners lie on one line. Nearly all triangles of slits are so.
-template <class Point> bool covers_nothing(const Point& p, const Point& q, const Point& r) {
-    const auto along_x = centres_between(p.x, q.x, r.x), along_y = centres_between(p.y, q.y, r.y);
-    if (along_x.none() || along_y.none())
+/// Whether triangles without a pixel's centre may be left out. Trims cut triangles and snap the
+/// corners of the rest, which may then hold a centre.
+bool counts_centres(const l3d_dice_view& view) {
+    return !view.keep.centreless && view.trim == nullptr;
+}
+
+/// Whether a triangle certainly holds none of the centres of some columns and rows of pixels, its
+/// sides included. Lines of pixels run along the longer side of its box.
+bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place& r,
+                     const l3d_pixel_centres<std::int32_t>& columns,
+                     const l3d_pixel_centres<std::int32_t>& rows) {
+    constexpr double pixels = 1.0 / l3d_subpixel_one;
+    constexpr double slack = 0x1p-20; // far more than rounding, in pixels
+    const bool by_rows = rows.last - rows.first <= columns.last - columns.first;
+    const std::int32_t lines = by_rows ? rows.last - rows.first : columns.last - columns.first;
+    // From the pixel before the first one on, so that places are positive.
+    const std::int32_t x = centre_of(columns.first - 1), y = centre_of(rows.first - 1);
+    struct corner {
+        double along, across;
+    };
+    const auto corner_of = [&](const slit_place& at) {
+        const double dx = pixels * (at.x - x), dy = pixels * (at.y - y);
+        return by_rows ? corner{dx, dy} : corner{dy, dx};
+    };
+    corner first = corner_of(p), middle = corner_of(q), last = corner_of(r);
+    if (middle.across < first.across)
+        std::swap(first, middle);
+    if (last.across < middle.across)
+        std::swap(middle, last);
+    if (middle.across < first.across)
+        std::swap(first, middle);
+    const auto slope = [](const corner& from, const corner& to) {
+        return to.across > from.across ? (to.along - from.along) / (to.across - from.across) : 0;
+    };
+    const double whole = slope(first, last), before = slope(first, middle),
+                 behind = slope(middle, last);
+    for (std::int32_t line = 1; line <= lines + 1; ++line) {
+        const double beyond = line - middle.across;
+        const double a = first.along + whole * (line - first.across);
+        const double b = middle.along + beyond * (beyond < 0 ? before : behind);
+        const double end = std::max(a, b) + slack;
+        if (static_cast<std::int32_t>(end) >= std::min(a, b) - slack)
+            return false;
+    }
+    return true;
+}
+
+/// Whether a triangle covers nothing: its box holds no pixel's centre, or its corners lie on one
+/// line, or none of the centres of its box lies in it or on its sides. Without `by_centres`, these
+/// are looked at only if there is a single one. Nearly all triangles of slits are so.
+inline bool covers_nothing(const slit_place& p, const slit_place& q, const slit_place& r,
+                           bool by_centres) {
+    const auto along_x = centres_between(p.x, q.x, r.x);
+    if (along_x.none())
         return true;
-    if (!along_x.only_one() || !along_y.only_one())
-        return turn(p, q, r.x, r.y) == 0;
-    const std::int32_t x = centre_of(along_x.first), y = centre_of(along_y.first);
-    const std::int64_t a = turn(p, q, x, y), b = turn(q, r, x, y), c = turn(r, p, x, y);
-    return a + b + c == 0 || (std::min({a, b, c}) < 0 && std::max({a, b, c}) > 0);
+    const auto along_y = centres_between(p.y, q.y, r.y);
+    if (along_y.none() || turn(p, q, r.x, r.y) == 0)
+        return true;
+    // A line of pixels takes some 15 instructions, and a triangle that is drawn takes some 500.
+    constexpr std::int32_t most_lines = 32;
+    const std::int32_t columns = along_x.last - along_x.first, rows = along_y.last - along_y.first;
+    const bool looks = by_centres ? std::min(columns, rows) < most_lines : columns + rows == 0;
+    return looks && holds_no_centre(p, q, r, along_x, along_y);
 }
 
 /// Notes how far a triangle of a slit goes along the grid's side. A corner beyond the side's end
@@ -55,10 +111,15 @@ void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, do
     out.add_span(straight ? out.slits.straight : out.slits.bent, along_u, low, high);
 }
 
+slit_place place_of(const l3d_clip_vertex& v) {
+    return {v.dice.vertex.x, v.dice.vertex.y};
+}
+
 void add(l3d_clip_vertex a, l3d_clip_vertex b, l3d_clip_vertex c, float side, bool is_kept,
          const l3d_dice_view& view, l3d_diced_piece& out) {
     const bool all_drawable = a.drawable && b.drawable && c.drawable;
-    if (!is_kept && all_drawable && covers_nothing(a.dice.vertex, b.dice.vertex, c.dice.vertex))
+    if (!is_kept && all_drawable &&
+        covers_nothing(place_of(a), place_of(b), place_of(c), counts_centres(view)))
         return;
     for (const bool along_u : {true, false}) {
         const auto [low, high] = along_u ? std::minmax({a.dice.u, b.dice.u, c.dice.u})
@@ -85,10 +146,10 @@ void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
 /// A side of a piece's grid as a row of vertices, and the edge it lies along.
 class closing_side {
 public:
-    closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge, double t0,
-                 double t1)
-        : piece_(piece), grid_(piece.part.grid), edge_(edge), along_u_(side < 2),
-          parameters_(along_u_ ? piece.u : piece.v),
+    closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
+                 const l3d_dice_view& view, double t0, double t1)
+        : piece_(piece), grid_(piece.part.grid), edge_(edge), by_centres_(counts_centres(view)),
+          along_u_(side < 2), parameters_(along_u_ ? piece.u : piece.v),
           across_(along_u_ ? (side == 1 ? piece.v.back() : piece.v.front())
                            : (side == 3 ? piece.u.back() : piece.u.front())),
           first_(side == 1   ? grid_.index(grid_.rows - 1, 0)
@@ -108,20 +169,44 @@ public:
 
     /// Adds the triangles between vertices i to i_end and points j to j_end.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
-        row_point of_row = vertex(i), of_edge = point(j, i);
+        const auto parameter_behind = [&](std::size_t at) {
+            return at < j_end ? parameter_of(at + 1) : std::numeric_limits<double>::infinity();
+        };
+        slit_corner of_row = vertex(i), of_edge = point(j, parameter_of(j));
+        double along_edge = parameter_behind(j);
         while (i < i_end || j < j_end) {
-            const bool along_row =
-                i < i_end && (j == j_end || parameters_[i + 1] <= parameter_of(j + 1));
-            const row_point next = along_row ? vertex(i + 1) : point(j + 1, i);
-            if (!covers_nothing(of_edge, of_row, next))
-                add(of_edge, of_row, next, i);
-            ++(along_row ? i : j);
-            (along_row ? of_row : of_edge) = next;
+            const bool along_row = i < i_end && parameters_[i + 1] <= along_edge;
+            const slit_corner next = along_row ? vertex(i + 1) : point(j + 1, along_edge);
+            if (!covers_nothing(of_edge.at, of_row.at, next.at, by_centres_))
+                add(lit(of_edge, i), lit(of_row, i), lit(next, i), i);
+            if (along_row) {
+                ++i;
+                of_row = next;
+            } else {
+                along_edge = parameter_behind(++j);
+                of_edge = next;
+            }
         }
     }
 
 private:
-    /// A vertex of the row or a point of the edge, with the row's level at its parameter.
+    /// A vertex of the row or a point of the edge, and its parameter.
+    struct slit_corner {
+        slit_place at;
+        std::size_t index; ///< of the grid's vertex, or of the edge's point
+        bool on_edge;
+        double along;
+    };
+
+    slit_corner vertex(std::size_t i) const {
+        const std::size_t at = first_ + i * step_;
+        return {{grid_.x[at], grid_.y[at]}, at, false, parameters_[i]};
+    }
+    slit_corner point(std::size_t j, double along) const {
+        return {{edge_.x()[j], edge_.y()[j]}, j, true, along};
+    }
+
+    /// The same with the row's level at its parameter.
     struct row_point {
         std::int32_t x, y;
         float inv_w, level;
@@ -130,16 +215,14 @@ private:
         l3d_micro_vertex lit(float a, float b, float c) const { return {x, y, inv_w, {a, b, c}}; }
     };
 
-    row_point vertex(std::size_t i) const {
-        const std::size_t at = first_ + i * step_;
-        return {grid_.x[at], grid_.y[at], grid_.inv_w[at], grid_.normal[0][at], parameters_[i]};
-    }
-
-    /// Point j of the edge, near the row's vertex i.
-    row_point point(std::size_t j, std::size_t i) const {
-        const double along = parameter_of(j);
-        return {edge_.x()[j], edge_.y()[j], edge_.inv_w()[j],
-                piece_.has_levels ? level_at(along, i) : 0, along};
+    /// The point of a corner near the row's vertex `near`.
+    row_point lit(const slit_corner& of, std::size_t near) const {
+        const auto point = [&](float inv_w, float level) {
+            return row_point{of.at.x, of.at.y, inv_w, level, of.along};
+        };
+        if (!of.on_edge)
+            return point(grid_.inv_w[of.index], grid_.normal[0][of.index]);
+        return point(edge_.inv_w()[of.index], piece_.has_levels ? level_at(of.along, near) : 0);
     }
 
     /// Adds a triangle whose corners get the row's light at their parameters, near its vertex
@@ -155,14 +238,14 @@ private:
                                       b.lit(seen * b.level, 0, bend(b, c)),
                                       c.lit(seen * c.level, 0, 0));
         } else {
-            const auto lit = [&](const row_point& corner) {
+            const auto lit_by_normal = [&](const row_point& corner) {
                 l3d_micro_vertex result = corner.lit(0, 0, 0);
                 set_normal_at(corner.along, near, result.normal);
                 for (float& component : result.normal)
                     component *= seen;
                 return result;
             };
-            piece_.part.triangles.add(lit(a), lit(b), lit(c));
+            piece_.part.triangles.add(lit_by_normal(a), lit_by_normal(b), lit_by_normal(c));
         }
         note_span(piece_, false, along_u_, std::min({a.along, b.along, c.along}),
                   std::max({a.along, b.along, c.along}));
@@ -225,7 +308,7 @@ private:
     l3d_diced_piece& piece_;
     l3d_micro_grid& grid_;
     const l3d_edge_polyline& edge_;
-    bool along_u_;
+    bool by_centres_, along_u_;
     const std::vector<double>& parameters_;
     double across_;
     std::size_t first_, step_, side_;
@@ -280,8 +363,8 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 }
 
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
-                    double t0, double t1) {
-    closing_side row(piece, side, edge, t0, t1);
+                    const l3d_dice_view& view, double t0, double t1) {
+    closing_side row(piece, side, edge, view, t0, t1);
     const l3d_block_starts& mine = side < 2 ? piece.part.block_columns : piece.part.block_rows;
     const auto start = [](const l3d_block_starts& starts, int block) {
         return static_cast<std::size_t>(starts.first[static_cast<std::size_t>(block)]);

@@ -40,7 +40,7 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 ///          place that both neighbours compute. The edge's points there may be balanced.
 /// Cost:    12 ns a triangle. No allocation once there is memory for the most triangles.
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
-                    double t0 = 0, double t1 = 1);
+                    const l3d_dice_view& view, double t0 = 0, double t1 = 1);
 
 /// Adds the stretch of an edge from t0 to t1 to the part's border. Each segment lies beside the
 /// quad of the grid's side that has the parameter of its middle. Triangles between grid and edge

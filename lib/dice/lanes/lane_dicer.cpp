@@ -275,7 +275,7 @@ bool l3d_lane_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& n
 
     fill(whole, normals, view, out);
     for (std::size_t side = 0; side < edges.size(); ++side) {
-        l3d_close_side(out, side, edges[side]);
+        l3d_close_side(out, side, edges[side], view);
         if (view.shading.antialias)
             l3d_note_outline_edge(out, side, edges[side], view);
         counts.add_edge(edges[side].size(), edges[side].bound());

@@ -75,7 +75,7 @@ template <class Visit> void visit_blocks(const l3d_surface_part& part, const Vis
 
 void place_item(band_item& item, const polygon_bounds& bounds, const band_list::frame& of) {
     item.box = of.pixels(bounds.box);
-    item.nearest = bounds.nearest;
+    item.nearest = item.order = bounds.nearest;
 }
 
 } // namespace
@@ -125,10 +125,12 @@ void band_list::list_part(const l3d_surface_part& part, place at, const frame& o
                           const l3d_shading* vertex_light) {
     if (vertex_light)
         light_vertices(*vertex_light, part.grid, levels_.data() + at.levels);
+    float of_grid = 0;
     visit_blocks(part, [&](const grid_cells& cells) {
         band_item& item = items_[at.items++];
         item = {.part = &part, .cells = cells, .rows_at = at.rows, .levels_at = at.levels};
         place_item(item, bounds_of(part.grid, cells, rows_.data() + at.rows), of);
+        of_grid = std::max(of_grid, item.order);
         at.rows += static_cast<std::uint32_t>(cells.row_end - cells.row_begin);
     });
     const auto triangles = static_cast<std::uint32_t>(part.triangles.count);
@@ -138,6 +140,8 @@ void band_list::list_part(const l3d_surface_part& part, place at, const frame& o
                 .triangle_begin = i,
                 .triangle_end = std::min(i + triangles_in_item, triangles)};
         place_item(item, bounds_of(part.triangles, item.triangle_begin, item.triangle_end), of);
+        if (of_grid > 0)
+            item.order = of_grid;
     }
 }
 
@@ -150,7 +154,7 @@ void band_list::sort() {
     order_.clear();
     for (std::uint32_t i = 0; i < items_.size(); ++i)
         if (!items_[i].box.empty())
-            order_.push_back({~std::bit_cast<std::uint32_t>(items_[i].nearest), i});
+            order_.push_back({~std::bit_cast<std::uint32_t>(items_[i].order), i});
     other_order_.resize(order_.size());
     constexpr int digit = 8;
     for (const int shift : {15, 15 + digit}) {

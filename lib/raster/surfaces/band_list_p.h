@@ -23,6 +23,7 @@ struct band_item {
     const l3d_surface_part* part = nullptr;
     l3d_pixel_box box{}; ///< the pixels of the window that it may cover
     float nearest = 0;   ///< upper bound of inv_w in its pixels
+    float order = 0;     ///< items with larger numbers are drawn first
     grid_cells cells{};
     std::uint32_t triangle_begin = 0, triangle_end = 0; ///< range of the part's triangles
     std::uint32_t rows_at = 0;   ///< index in the list of the pixel rows of its cells
@@ -32,7 +33,9 @@ struct band_item {
 /// The items of a frame, sorted front to back, and the bands that they touch.
 ///
 /// Items are sorted by their nearest vertices, rounded to one part in 2^8, then by their places in
-/// the list of parts. The order depends neither on the bands nor on the number of workers.
+/// the list of parts. The triangles beside a grid are sorted as the grid is, so triangles that
+/// cover nothing may be missing. The order depends neither on the bands nor on the number of
+/// workers.
 /// Lives: borrows the parts. Keeps its memory from frame to frame.
 class band_list {
 public:
