@@ -151,17 +151,6 @@ bool l3d_normal_net::divide_by_vanishing_factor() {
     return false;
 }
 
-l3d_normal_net l3d_normal_net::turned(const l3d_matrix<double>& by) const {
-    l3d_normal_net result;
-    for (std::size_t i = 0; i < net_.points.size(); ++i)
-        for (int k = 0; k < 3; ++k)
-            result.net_.points[i][k] = by(k, 0) * net_.points[i][0] + by(k, 1) * net_.points[i][1] +
-                                       by(k, 2) * net_.points[i][2];
-    result.scale_to_one();
-    result.fill_floats();
-    return result;
-}
-
 l3d_normal_net::vector l3d_normal_net::evaluate(double u, double v) const {
     const auto collapse = [](std::array<vector, order> b, double t) {
         for (int level = degree; level > 0; --level)

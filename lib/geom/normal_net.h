@@ -4,8 +4,8 @@
 #define L3D_GEOM_NORMAL_NET_H
 
 #include "geom/bezier_patch.h"
-#include "geom/matrix.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <utility>
@@ -48,6 +48,11 @@ public:
     explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
     /// The net of these normals, divided in the same way.
     explicit l3d_normal_net(const l3d_normal_polynomial& normals);
+    /// Takes a net, and the same coefficients as floats. Expects: nothing to divide or to scale.
+    l3d_normal_net(const l3d_normal_polynomial& normals, const float (&in_floats)[3][6][6])
+        : net_(normals) {
+        std::copy_n(&in_floats[0][0][0], 3 * 6 * 6, &in_floats_[0][0][0]);
+    }
 
     static constexpr std::size_t index(int row, int column) {
         return 6 * static_cast<std::size_t>(row) + static_cast<std::size_t>(column);
@@ -57,11 +62,6 @@ public:
 
     /// The normal at (u, v), any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
-
-    /// The net whose vectors are multiplied by the upper left three by three of a matrix. With the
-    /// cofactors of an affine map, it holds the normals of the patch that this map moves.
-    /// Expects: a matrix that can be inverted.
-    l3d_normal_net turned(const l3d_matrix<double>& by) const;
 
     /// The coefficients as floats, one array per component: [component][row][column].
     using float_net = float[3][6][6];

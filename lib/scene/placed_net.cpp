@@ -34,6 +34,40 @@ void place_net(const l3d_matrix<double>& m, const double* from, double* to) {
     }
 }
 
+/// The vectors of a normal net, and the same as floats.
+void place_normals(const l3d_matrix<double>& m, const double* from, l3d_normal_polynomial& net,
+                   float (&in_floats)[3][6][6]) {
+    const hn::CappedTag<double, 4> d;
+    const hn::Rebind<float, decltype(d)> df;
+    constexpr std::size_t count = 36;
+    static_assert(count % hn::MaxLanes(decltype(d)()) == 0);
+    alignas(64) double turned[3][count];
+    auto most = hn::Zero(d);
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        auto x = hn::Zero(d), y = x, z = x;
+        hn::LoadInterleaved3(d, from + 3 * i, x, y, z);
+        for (int row = 0; row < 3; ++row) {
+            const auto at = [&](int column) HWY_ATTR { return hn::Set(d, m(row, column)); };
+            const auto sum =
+                hn::Add(hn::Add(hn::Mul(at(0), x), hn::Mul(at(1), y)), hn::Mul(at(2), z));
+            hn::Store(sum, d, turned[row] + i);
+            most = hn::Max(most, hn::Abs(sum));
+        }
+    }
+    const double largest = hn::GetLane(hn::MaxOfLanes(d, most));
+    const auto scale = hn::Set(d, largest > 0 ? 1 / largest : 1);
+    double* const to = &net.points[0][0];
+    for (std::size_t i = 0; i < count; i += hn::Lanes(d)) {
+        const auto put = [&](std::size_t k) HWY_ATTR {
+            const auto scaled = hn::Mul(hn::Load(d, turned[k] + i), scale);
+            hn::StoreU(hn::DemoteTo(df, scaled), df, &in_floats[k][0][0] + i);
+            return scaled;
+        };
+        const auto x = put(0), y = put(1), z = put(2);
+        hn::StoreInterleaved3(x, y, z, d, to + 3 * i);
+    }
+}
+
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
 HWY_AFTER_NAMESPACE();
@@ -44,6 +78,7 @@ namespace l3d_detail {
 namespace {
 
 L3D_SIMD_TABLE(place_net);
+L3D_SIMD_TABLE(place_normals);
 
 void place(const l3d_matrix<double>& to_image, const double* from, double* to) {
     L3D_SIMD_CALL(place_net)(to_image, from, to);
@@ -58,5 +93,14 @@ l3d_image_patch l3d_placed_net(const l3d_matrix<double>& to_image,
     l3d_image_patch result;
     l3d_detail::place(to_image, &patch.points[0][0], &result.points[0][0]);
     return result;
+}
+
+l3d_normal_net l3d_placed_normals(const l3d_matrix<double>& by, const l3d_normal_net& normals) {
+    using namespace l3d_detail;
+    l3d_normal_polynomial net;
+    static_assert(sizeof net.points == 108 * sizeof(double));
+    l3d_normal_net::float_net in_floats;
+    L3D_SIMD_CALL(place_normals)(by, &normals.polynomial().points[0][0], net, in_floats);
+    return {net, in_floats};
 }
 #endif
