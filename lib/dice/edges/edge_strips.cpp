@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "dice/edges/edge_strips.cpp"
@@ -162,68 +163,159 @@ private:
     float* inv_w_;
 };
 
-/// The properties of a whole edge, found before its strips.
-struct edge_view {
-    bool drawable = false, one_strip = false, backwards = false;
-    double vertex_error = 0;
+/// The properties of some whole edges, found before their strips.
+struct edge_views {
+    std::array<bool, edges_at_once> drawable, one_strip, backwards;
+    std::array<double, edges_at_once> vertex_error{};
 };
 
-/// Whether a point can be drawn, and is by more than rounding of its neighbours can take.
-bool safely_drawable(const l3d_image_point& h, double near, const l3d_dice_view& view) {
+using edge_tag = hn::CappedTag<double, edges_at_once>;
+using edge_lanes = hn::Vec<edge_tag>;
+using edge_mask = hn::Mask<edge_tag>;
+
+/// A control point of some edges.
+struct edge_points {
+    edge_lanes x, y, w;
+};
+
+/// The part of safely_drawable that no section takes part in, in lanes.
+edge_mask safely_before(const edge_points& h, edge_lanes near, const l3d_dice_view& view) {
+    const edge_tag d;
     constexpr double slack = 0x1p-30;
-    if (const l3d_image_section& cut = view.section; cut.is_on()) {
-        const double terms = std::abs(cut.normal[0] * h[0]) + std::abs(cut.normal[1] * h[1]) +
-                             std::abs(cut.normal[2] * h[2]) + std::abs(cut.d);
-        if (cut.distance(h) <= slack * terms)
-            return false;
-    }
-    const double reach = l3d_guard_band * (1 - slack) * h[2];
-    return h[2] > near * (1 + slack) && h[2] < view.far * (1 - slack) && std::abs(h[0]) <= reach &&
-           std::abs(h[1]) <= reach;
+    const auto reach = hn::Mul(hn::Set(d, l3d_guard_band * (1 - slack)), h.w);
+    return hn::And(hn::And(hn::Gt(h.w, hn::Mul(near, hn::Set(d, 1 + slack))),
+                           hn::Lt(h.w, hn::Set(d, view.far * (1 - slack)))),
+                   hn::And(hn::Le(hn::Abs(h.x), reach), hn::Le(hn::Abs(h.y), reach)));
 }
 
-edge_view view_edge(const l3d_image_curve& edge, double share, const l3d_dice_view& view) {
-    edge_view result;
-    const double near = view.near_of(share);
-    result.drawable = true;
-    for (const l3d_image_point& p : edge.points)
-        result.drawable = result.drawable && safely_drawable(p, near, view);
-    if (!result.drawable)
-        return result;
-    result.backwards = runs_backwards(edge);
-    const l3d_image_box whole = l3d_image_box_of(edge.points);
-    const l3d_image_box seen = whole.intersected(view.margin());
-    result.one_strip = seen.empty() || l3d_is_one_strip(edge, whole, view);
-    if (seen.empty())
-        return result;
-    double largest_xy = 0, largest_w = 0, least_w = edge.points[0][2];
-    for (const l3d_image_point& p : edge.points) {
-        largest_xy = std::max({largest_xy, std::abs(p[0]), std::abs(p[1])});
-        largest_w = std::max(largest_w, p[2]);
-        least_w = std::min(least_w, p[2]);
+/// Whether a section leaves a point by more than rounding of its neighbours can take.
+bool safely_left(const l3d_image_point& h, const l3d_image_section& cut) {
+    constexpr double slack = 0x1p-30;
+    const double terms = std::abs(cut.normal[0] * h[0]) + std::abs(cut.normal[1] * h[1]) +
+                         std::abs(cut.normal[2] * h[2]) + std::abs(cut.d);
+    return cut.distance(h) > slack * terms;
+}
+
+/// runs_backwards, in lanes.
+edge_mask backwards_of(const edge_points (&p)[4]) {
+    edge_mask result = hn::Lt(p[3].x, p[0].x), same = hn::Eq(p[3].x, p[0].x);
+    const auto take = [&](edge_lanes from, edge_lanes to) HWY_ATTR {
+        result = hn::Or(result, hn::And(same, hn::Lt(to, from)));
+        same = hn::And(same, hn::Eq(to, from));
+    };
+    take(p[0].y, p[3].y);
+    take(p[0].w, p[3].w);
+    take(p[1].x, p[2].x);
+    take(p[1].y, p[2].y);
+    take(p[1].w, p[2].w);
+    return result;
+}
+
+/// Numbers of some edges.
+struct alignas(64) edge_numbers {
+    double of[edges_at_once];
+};
+
+/// Boxes and sizes of some edges.
+struct edge_extents {
+    edge_numbers left, right, top, bottom, largest_xy, largest_w, least_w;
+
+    void take(const edge_points (&p)[4], std::size_t e) {
+        const edge_tag d;
+        edge_lanes x[4], y[4];
+        auto most = hn::Zero(d);
+        for (std::size_t i = 0; i < 4; ++i) {
+            x[i] = hn::Div(p[i].x, p[i].w);
+            y[i] = hn::Div(p[i].y, p[i].w);
+            most = hn::Max(most, hn::Max(hn::Abs(p[i].x), hn::Abs(p[i].y)));
+        }
+        hn::Store(least_of(x[0], x[1], x[2], x[3]), d, left.of + e);
+        hn::Store(greatest_of(x[0], x[1], x[2], x[3]), d, right.of + e);
+        hn::Store(least_of(y[0], y[1], y[2], y[3]), d, top.of + e);
+        hn::Store(greatest_of(y[0], y[1], y[2], y[3]), d, bottom.of + e);
+        hn::Store(most, d, largest_xy.of + e);
+        hn::Store(greatest_of(p[0].w, p[1].w, p[2].w, p[3].w), d, largest_w.of + e);
+        hn::Store(least_of(p[0].w, p[1].w, p[2].w, p[3].w), d, least_w.of + e);
     }
-    l3d_vertex_accuracy accuracy;
-    accuracy.error_xy = view.error_xy * share + l3d_power_form_error(largest_xy);
-    accuracy.error_w = view.error_w * share + l3d_power_form_error(largest_w);
-    accuracy.w_low = least_w;
-    accuracy.seen_reach = seen.reach();
-    accuracy.reach = whole.reach();
-    accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
-    result.vertex_error = accuracy.drawn_error(l3d_vertex_accuracy::in_front);
+
+    l3d_image_box box(std::size_t e) const {
+        return {left.of[e], top.of[e], right.of[e], bottom.of[e]};
+    }
+
+    /// The error of an edge's vertices in its seen part.
+    double vertex_error(std::size_t e, const l3d_image_box& seen, double share,
+                        const l3d_dice_view& view) const {
+        l3d_vertex_accuracy accuracy;
+        accuracy.error_xy = view.error_xy * share + l3d_power_form_error(largest_xy.of[e]);
+        accuracy.error_w = view.error_w * share + l3d_power_form_error(largest_w.of[e]);
+        accuracy.w_low = least_w.of[e];
+        accuracy.seen_reach = seen.reach();
+        accuracy.reach = box(e).reach();
+        accuracy.snap_error = l3d_snap_error<double>(accuracy.reach);
+        return accuracy.drawn_error(l3d_vertex_accuracy::in_front);
+    }
+};
+
+/// Views some edges, and turns the control points of those around that run backwards.
+/// Shape: coordinate k of edge e in lane 4 k + e.
+edge_views view_edges(const std::array<l3d_image_curve, edges_at_once>& edges,
+                      const std::array<double, edges_at_once>& shares, const l3d_dice_view& view,
+                      cubic& whole) {
+    const edge_tag d;
+    edge_views result;
+    edge_extents extents;
+    edge_numbers nears;
+    for (std::size_t e = 0; e < edges_at_once; ++e)
+        nears.of[e] = view.near_of(shares[e]);
+    for (std::size_t e = 0; e < edges_at_once; e += hn::Lanes(d)) {
+        const auto at = [&](std::size_t i, std::size_t k) { return &whole[i].at[4 * k + e]; };
+        edge_points p[4];
+        for (std::size_t i = 0; i < 4; ++i)
+            p[i] = {hn::Load(d, at(i, 0)), hn::Load(d, at(i, 1)), hn::Load(d, at(i, 2))};
+        const auto near = hn::Load(d, nears.of + e);
+        const auto drawable = hn::And(
+            hn::And(safely_before(p[0], near, view), safely_before(p[1], near, view)),
+            hn::And(safely_before(p[2], near, view), safely_before(p[3], near, view)));
+        const auto backwards = backwards_of(p);
+        extents.take(p, e);
+        for (std::size_t i = 0; i < 4; ++i) {
+            const edge_points& other = p[3 - i];
+            hn::Store(hn::IfThenElse(backwards, other.x, p[i].x), d, at(i, 0));
+            hn::Store(hn::IfThenElse(backwards, other.y, p[i].y), d, at(i, 1));
+            hn::Store(hn::IfThenElse(backwards, other.w, p[i].w), d, at(i, 2));
+        }
+        std::uint8_t drawable_bits[8] = {}, backwards_bits[8] = {};
+        hn::StoreMaskBits(d, drawable, drawable_bits);
+        hn::StoreMaskBits(d, backwards, backwards_bits);
+        for (std::size_t lane = 0; lane < hn::Lanes(d); ++lane) {
+            result.drawable[e + lane] = (drawable_bits[0] >> lane & 1) != 0;
+            result.backwards[e + lane] = (backwards_bits[0] >> lane & 1) != 0;
+        }
+    }
+    const l3d_image_box margin = view.margin();
+    for (std::size_t e = 0; e < edges_at_once; ++e) {
+        if (view.section.is_on())
+            for (const l3d_image_point& p : edges[e].points)
+                result.drawable[e] = result.drawable[e] && safely_left(p, view.section);
+        const l3d_image_box box = extents.box(e), seen = box.intersected(margin);
+        result.one_strip[e] =
+            result.drawable[e] && (seen.empty() || l3d_is_one_strip(edges[e], box, view));
+        if (result.drawable[e] && !seen.empty())
+            result.vertex_error[e] = extents.vertex_error(e, seen, shares[e], view);
+    }
     return result;
 }
 
 /// The wishes of some edges' strips.
-strip_wishes wishes_of(const std::array<edge_view, edges_at_once>& seen,
-                       const l3d_dice_view& view) {
+strip_wishes wishes_of(const edge_views& seen, const l3d_dice_view& view) {
     strip_wishes wishes;
     for (std::size_t e = 0; e < edges_at_once; ++e) {
         const double per_budget =
-            view.finer_outlines() / (4 * view.chord_budget(seen[e].vertex_error));
+            view.finer_outlines() / (4 * view.chord_budget(seen.vertex_error[e]));
         for (std::size_t lane = e; lane < lanes; lane += edges_at_once) {
             wishes.per_budget.at[lane] = per_budget;
-            wishes.balance.at[lane] = seen[e].one_strip ? 1 : 8 * l3d_balance;
-            wishes.grown_by.at[lane] = seen[e].one_strip ? 0 : view.most_moved();
+            wishes.balance.at[lane] = seen.one_strip[e] ? 1 : 8 * l3d_balance;
+            wishes.grown_by.at[lane] = seen.one_strip[e] ? 0 : view.most_moved();
         }
     }
     return wishes;
@@ -236,14 +328,14 @@ struct planned_strips {
 };
 
 /// Writes the points of edge number e.
-void write_edge(const l3d_image_curve& edge, std::size_t e, const edge_view& seen,
+void write_edge(const l3d_image_curve& edge, std::size_t e, const edge_views& seen,
                 const planned_strips& plan, const l3d_dice_view& view, edge_strips& out) {
     out.strips = {0, {}};
     out.too_long = false;
-    if (!seen.drawable)
+    if (!seen.drawable[e])
         return;
-    const std::size_t strips = seen.one_strip ? 1 : most_strips;
-    const bool backwards = seen.backwards;
+    const std::size_t strips = seen.one_strip[e] ? 1 : most_strips;
+    const bool backwards = seen.backwards[e];
     std::array<int, most_strips> n{};
     int most = 0;
     out.chord_error = 0;
@@ -256,7 +348,7 @@ void write_edge(const l3d_image_curve& edge, std::size_t e, const edge_view& see
     out.too_long = most > l3d_most_steps_whole;
     if (out.too_long)
         return;
-    out.vertex_error = seen.vertex_error;
+    out.vertex_error = seen.vertex_error[e];
     out.strips.blocks = static_cast<int>(strips);
     point_writer writer(view, out);
     if (backwards)
@@ -279,33 +371,38 @@ void write_edge(const l3d_image_curve& edge, std::size_t e, const edge_view& see
 void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                       const l3d_dice_view& view, const std::array<double, edges_at_once>& shares,
                       std::array<edge_strips, edges_at_once>& results) {
-    std::array<edge_view, edges_at_once> seen;
     cubic whole{};
-    for (std::size_t e = 0; e < edges_at_once; ++e) {
-        seen[e] = view_edge(edges[e], shares[e], view);
+    for (std::size_t e = 0; e < edges_at_once; ++e)
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t k = 0; k < 3; ++k)
-                whole[i].at[4 * k + e] =
-                    edges[e].points[seen[e].backwards ? 3 - i : i][static_cast<int>(k)];
-    }
-    const bool has_strips = !std::ranges::all_of(seen, &edge_view::one_strip);
+                whole[i].at[4 * k + e] = edges[e].points[i][static_cast<int>(k)];
+    const edge_views seen = view_edges(edges, shares, view, whole);
+    const bool has_strips = !std::ranges::all_of(seen.one_strip, std::identity());
     const std::size_t used = has_strips ? lanes : edges_at_once;
-    // Vectors may be wider than the lanes that are used, and chance numbers may be denormal: slow.
-    strip_nets nets{};
-    if (has_strips)
+    strip_nets nets;
+    if (has_strips) {
         cut_in_four(whole, nets);
-    for (std::size_t e = 0; e < edges_at_once; ++e)
-        if (seen[e].one_strip)
-            for (std::size_t k = 0; k < 3; ++k)
-                for (std::size_t i = 0; i < 4; ++i)
-                    nets[k][i].at[e] = whole[i].at[4 * k + e];
+        for (std::size_t e = 0; e < edges_at_once; ++e)
+            if (seen.one_strip[e])
+                for (std::size_t k = 0; k < 3; ++k)
+                    for (std::size_t i = 0; i < 4; ++i)
+                        nets[k][i].at[e] = whole[i].at[4 * k + e];
+    } else {
+        // Vectors may be wider than the lanes in use, and chance numbers may be denormal: slow.
+        const std::size_t wide = std::max(used, hn::Lanes(hn::CappedTag<double, lanes>()));
+        for (std::size_t k = 0; k < 3; ++k)
+            for (std::size_t i = 0; i < 4; ++i) {
+                std::copy_n(whole[i].at + 4 * k, used, nets[k][i].at);
+                std::fill_n(nets[k][i].at + used, wide - used, 0.0);
+            }
+    }
     planned_strips plan;
     plan_strips(nets, used, view.margin(), view.focal, wishes_of(seen, view), plan.steps,
                 plan.chord_error);
     for (std::size_t k = 0; k < 3; ++k)
         to_powers(nets[k], used, plan.powers[k]);
     for (std::size_t e = 0; e < edges_at_once; ++e)
-        write_edge(edges[e], e, seen[e], plan, view, results[e]);
+        write_edge(edges[e], e, seen, plan, view, results[e]);
 }
 
 } // namespace HWY_NAMESPACE
