@@ -168,10 +168,17 @@ auto l3d_bend_bounds::of_blocks(const l3d_patch_part& piece, int strips) const -
         for (std::size_t n = 0; n < l3d_detail::bend_members<float>.size(); ++n)
             (result.bends.*l3d_detail::bend_members<l3d_surface_bends::lanes>[n])[0] =
                 bends_->of_whole().*l3d_detail::bend_members<float>[n];
-        constexpr float across = 4;
-        result.steps_u[0] = across * *std::ranges::max_element(bends_->steps_u());
-        result.steps_v[0] = across * *std::ranges::max_element(bends_->steps_v());
+        const auto most_of_whole = [](const l3d_surface_bends::lanes& steps) {
+            constexpr float across = 4;
+            float most = 0;
+            for (const float n : steps)
+                most = std::max(most, n);
+            return across * most;
+        };
+        result.steps_u[0] = most_of_whole(bends_->steps_u());
+        result.steps_v[0] = most_of_whole(bends_->steps_v());
     } else {
+        result = {};
         const auto count = static_cast<std::size_t>(strips);
         for (std::size_t row = 0; row < count; ++row)
             for (std::size_t column = 0; column < count; ++column)

@@ -50,10 +50,11 @@ public:
                                         bool clipped) const;
 
 private:
-    /// The bends and steps of a piece's blocks, by their own parameters.
+    /// The bends and steps of a piece's blocks, by their own parameters. Others than those have no
+    /// numbers.
     struct of_piece {
-        l3d_bend_numbers<l3d_surface_bends::lanes> bends{};
-        l3d_surface_bends::lanes steps_u{}, steps_v{};
+        l3d_bend_numbers<l3d_surface_bends::lanes> bends;
+        l3d_surface_bends::lanes steps_u, steps_v;
     };
     of_piece of_blocks(const l3d_patch_part& piece, int strips) const;
     void take_block(const l3d_patch_part& piece, int strips, std::size_t column, std::size_t row,

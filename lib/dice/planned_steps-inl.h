@@ -37,9 +37,17 @@ constexpr direction other(direction d) {
 struct block_numbers {
     alignas(64) double by[2][most_strips * most_strips];
 
-    void take(const l3d_block_needs::per_block& of, std::size_t strips) {
-        for (double(&numbers)[most_strips * most_strips] : by)
-            std::fill_n(numbers, most_strips, 0.0);
+    HWY_INLINE void take(const l3d_block_needs::per_block& of, std::size_t strips) {
+        if (strips == 1) {
+            const lane_tag tag;
+            for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(tag)) {
+                const auto first = hn::FirstN(tag, lane == 0 ? 1 : 0);
+                const lane_vec numbers = hn::IfThenElseZero(first, hn::Set(tag, of[0]));
+                hn::Store(numbers, tag, by[along_u] + lane);
+                hn::Store(numbers, tag, by[along_v] + lane);
+            }
+            return;
+        }
         for (std::size_t b = 0; b < strips; ++b)
             for (std::size_t a = 0; a < strips; ++a)
                 by[along_v][most_strips * b + a] = by[along_u][most_strips * a + b] =

@@ -104,25 +104,9 @@ bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
         return true;
     if (is_large(hull))
         return false;
-    const auto& p = net.points;
-    largest_bend uu(hull, view.focal), vv = uu, uv = uu;
-    double least_w = p[0][2];
-    for (const l3d_image_point& point : p)
-        least_w = std::min(least_w, point[2]);
-    for (std::size_t line = 0; line < 4; ++line)
-        for (std::size_t i = 0; i < 2; ++i) {
-            const std::size_t u = 4 * line + i, v = 4 * i + line;
-            uu.take(p[u], p[u + 1], p[u + 2]);
-            vv.take(p[v], p[v + 4], p[v + 8]);
-        }
-    for (std::size_t row = 0; row < 3; ++row)
-        for (std::size_t column = 0; column < 3; ++column) {
-            const std::size_t i = 4 * row + column;
-            const auto d = [&](int k) { return p[i][k] - p[i + 1][k] - p[i + 4][k] + p[i + 5][k]; };
-            uv.take(d(0), d(1), d(2));
-        }
-    const double error = 6.0 / 8 * (uu.size() + vv.size()) + 9.0 / 16 * uv.size();
-    return error <= steps_squared * least_w * budget_of(view);
+    const l3d_net_bends bends = l3d_bends_of(net, hull, view.focal);
+    const double error = 6.0 / 8 * (bends.uu + bends.vv) + 9.0 / 16 * bends.uv;
+    return error <= steps_squared * bends.least_w * budget_of(view);
 }
 
 /// An edge gets half of the budget, as each direction of a quad does.

@@ -25,7 +25,7 @@ inline constexpr double l3d_largest_one_block = 96;
 ///
 /// Nothing proven relies on the choice, as each way has its own bounds.
 /// Expects: every w > 0; `hull` is the net's box.
-/// Cost:    nothing worth mentioning for small nets and for large ones, else some 400 instructions.
+/// Cost:    nothing worth mentioning for small nets and for large ones, else that of l3d_bends_of.
 bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 
@@ -33,6 +33,16 @@ bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
 /// bit for bit, for the edge that runs the other way.
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view);
+
+/// The largest differences of a net's control points, as seen from the eye: second ones along u and
+/// along v, and mixed ones. A length along the line of sight counts like one across it where depth
+/// is kept.
+struct l3d_net_bends {
+    double uu = 0, vv = 0, uv = 0, least_w = 0;
+};
+/// Expects: as l3d_is_one_block.
+/// Cost:    some 300 instructions.
+l3d_net_bends l3d_bends_of(const l3d_image_patch& net, const l3d_image_box& hull, double focal);
 
 /// The way of drawing quads for which steps are chosen.
 enum class l3d_quad_kind {

@@ -349,6 +349,56 @@ void bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan, doub
     error = steps.bend_error();
 }
 
+/// Finds bends in lanes, row by row.
+void bends_of(const l3d_image_patch& net, double x, double y, double focal, l3d_net_bends& out) {
+    constexpr std::size_t points = 16;
+    const lane_tag d;
+    // Vectors may reach beyond the last row.
+    alignas(64) double p[3][points + most_strips] = {};
+    auto nearest = hn::Set(d, net.points[0][2]);
+    for (std::size_t i = 0; i < points; i += hn::Lanes(d)) {
+        lane_vec of[3];
+        hn::LoadInterleaved3(d, &net.points[i][0], of[0], of[1], of[2]);
+        for (std::size_t k = 0; k < 3; ++k)
+            hn::Store(of[k], d, p[k] + i);
+        nearest = hn::Min(nearest, of[2]);
+    }
+    const auto take = [&](std::size_t lanes, lane_vec& largest, const auto& difference) HWY_ATTR {
+        const lane_vec w = difference(p[2]);
+        const lane_vec dx = hn::Sub(difference(p[0]), hn::Mul(hn::Set(d, x), w));
+        const lane_vec dy = hn::Sub(difference(p[1]), hn::Mul(hn::Set(d, y), w));
+        const lane_vec dw = hn::Mul(hn::Set(d, focal), w);
+        const lane_vec square =
+            hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dw, dw));
+        largest = hn::Max(largest, hn::IfThenElseZero(hn::FirstN(d, lanes), square));
+    };
+    const auto second = [&](std::size_t i, std::size_t step) HWY_ATTR {
+        return [=](const double* of) HWY_ATTR {
+            const auto ends = hn::Add(hn::LoadU(d, of + i), hn::LoadU(d, of + i + 2 * step));
+            return hn::Sub(ends, hn::Mul(hn::Set(d, 2.0), hn::LoadU(d, of + i + step)));
+        };
+    };
+    const auto twist = [&](std::size_t i) HWY_ATTR {
+        return [=](const double* of) HWY_ATTR {
+            const auto at = [&](std::size_t k) HWY_ATTR { return hn::LoadU(d, of + i + k); };
+            return hn::Add(hn::Sub(hn::Sub(at(0), at(1)), at(4)), at(5));
+        };
+    };
+    lane_vec uu = hn::Zero(d), vv = uu, uv = uu;
+    for (std::size_t line = 0; line < 4; ++line)
+        for (std::size_t column = 0; column < 2; column += hn::Lanes(d))
+            take(2 - column, uu, second(4 * line + column, 1));
+    for (std::size_t i = 0; i < 8; i += hn::Lanes(d))
+        take(hn::Lanes(d), vv, second(i, 4));
+    for (std::size_t row = 0; row < 3; ++row)
+        for (std::size_t column = 0; column < 3; column += hn::Lanes(d))
+            take(3 - column, uv, twist(4 * row + column));
+    const auto size = [&](lane_vec square) HWY_ATTR {
+        return std::sqrt(hn::GetLane(hn::MaxOfLanes(d, square)));
+    };
+    out = {size(uu), size(vv), size(uv), hn::GetLane(hn::MinOfLanes(d, nearest))};
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace l3d_detail
@@ -360,6 +410,7 @@ namespace {
 
 L3D_SIMD_TABLE(plan_steps);
 L3D_SIMD_TABLE(bend_error_of);
+L3D_SIMD_TABLE(bends_of);
 
 } // namespace
 } // namespace l3d_detail
@@ -376,5 +427,13 @@ double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan
     double error = 0;
     L3D_SIMD_CALL(bend_error_of)(needs, plan, error);
     return error;
+}
+
+l3d_net_bends l3d_bends_of(const l3d_image_patch& net, const l3d_image_box& hull, double focal) {
+    using namespace l3d_detail;
+    l3d_net_bends result;
+    L3D_SIMD_CALL(bends_of)
+    (net, (hull.left + hull.right) / 2, (hull.top + hull.bottom) / 2, focal, result);
+    return result;
 }
 #endif

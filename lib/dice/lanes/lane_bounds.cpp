@@ -294,34 +294,57 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
 /// Differences of a whole net: 8 second ones along u, 8 along v, 9 mixed ones.
 struct net_differences {
     static constexpr std::size_t along_u = 0, along_v = 8, mixed = 16, end = 25, room = 32;
-    alignas(64) float at[3][room] = {};
+    alignas(64) float at[3][room];
 
     /// Differences are taken of doubles, then scaled and rounded to floats.
-    net_differences(const centred_net& net, double scale) {
+    HWY_ATTR net_differences(const centred_net& net, double scale) {
+        const hn::CappedTag<double, 4> d;
+        const hn::Rebind<float, decltype(d)> df;
+        const auto two = hn::Set(d, 2.0), factor = hn::Set(d, scale);
         for (std::size_t k = 0; k < 3; ++k) {
-            const double* p = net.points[k];
-            const auto put_at = [&](std::size_t i, double difference) {
-                at[k][i] = static_cast<float>(difference * scale);
+            alignas(64) double p[points + 4]; // vectors may reach beyond the last row
+            std::copy_n(net.points[k], points, p);
+            std::fill_n(p + points, 4, 0.0);
+            const auto load = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, p + i); };
+            // Lanes beyond those that are wanted are overwritten by the next ones.
+            const auto put_at = [&](std::size_t i, auto difference) HWY_ATTR {
+                hn::StoreU(hn::DemoteTo(df, hn::Mul(difference, factor)), df, at[k] + i);
+            };
+            const auto second = [&](std::size_t i, std::size_t step) HWY_ATTR {
+                return hn::Add(hn::Sub(load(i), hn::Mul(two, load(i + step))), load(i + 2 * step));
+            };
+            const auto twist = [&](std::size_t i) HWY_ATTR {
+                return hn::Sub(hn::Sub(load(i), load(i + 1)), hn::Sub(load(i + 4), load(i + 5)));
             };
             for (std::size_t line = 0; line < 4; ++line)
-                for (std::size_t i = 0; i < 2; ++i) {
-                    const double *u = p + 4 * line + i, *v = p + 4 * i + line;
-                    put_at(along_u + 2 * line + i, u[0] - 2 * u[1] + u[2]);
-                    put_at(along_v + 2 * line + i, v[0] - 2 * v[4] + v[8]);
-                }
-            for (std::size_t r = 0; r < 3; ++r)
-                for (std::size_t c = 0; c < 3; ++c) {
-                    const double* q = p + 4 * r + c;
-                    put_at(mixed + 3 * r + c, (q[0] - q[1]) - (q[4] - q[5]));
-                }
+                for (std::size_t column = 0; column < 2; column += hn::Lanes(d))
+                    put_at(along_u + 2 * line + column, second(4 * line + column, 1));
+            for (std::size_t i = 0; i < 8; i += hn::Lanes(d))
+                put_at(along_v + i, second(i, 4));
+            for (std::size_t row = 0; row < 3; ++row)
+                for (std::size_t column = 0; column < 3; column += hn::Lanes(d))
+                    put_at(mixed + 3 * row + column, twist(4 * row + column));
+            std::fill_n(at[k] + end, room - end, 0.0F);
         }
     }
 };
 
+/// Forgets the needs of a former net. Numbers of other blocks than the first one stay, as nobody
+/// asks for them: to clear all takes as long as to find the needs of one block.
+void begin_one_block(l3d_block_needs& needs) {
+    needs.strips = 1;
+    needs.keeps_depth = needs.keeps_bends = needs.balanced = false;
+    needs.uuv = needs.uvv = needs.uuvv = 0;
+    for (l3d_block_needs::per_block* of :
+         {&needs.uu, &needs.uv, &needs.vv, &needs.depth_uu, &needs.depth_uv, &needs.depth_vv,
+          &needs.least_w, &needs.least_u, &needs.least_v})
+        (*of)[0] = 0;
+}
+
 /// Finds the needs of a small net, which is one block: its differences are in lanes.
 HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     l3d_block_needs& needs = out.needs;
-    needs = {};
+    begin_one_block(needs);
     const l3d_image_box box = view.margin().intersected(out.hull);
     needs.visible = !box.empty();
     if (!needs.visible)

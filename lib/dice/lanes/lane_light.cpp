@@ -95,6 +95,8 @@ struct net_columns {
     static constexpr std::size_t order = quintic_weights::order;
     alignas(64) float at[3][order][lane_columns];
 
+    net_columns() {} // no zeros, which take as long as a row of vertices: cut() sets the numbers
+
     HWY_ATTR HWY_INLINE void cut(const l3d_normal_net::float_net& net, const quintic_weights& in_u,
                                  std::size_t column) {
         const floats d;

@@ -249,8 +249,10 @@ HWY_ATTR void walk_columns(const lane_walk& walk, l3d_micro_grid& grid) {
         return difference_weights(static_cast<double>(b) / walk.strips, h,
                                   walk.balanced && n > 1 ? l3d_balance * h * h : 0);
     };
-    const difference_weights weights[4] = {weights_of(0), weights_of(1), weights_of(2),
-                                           weights_of(3)};
+    const difference_weights first = weights_of(0);
+    difference_weights weights[4] = {first, first, first, first};
+    for (int b = 1; b < walk.strips; ++b)
+        weights[b] = weights_of(b);
     column_starts<Number> starts;
     constexpr hn::CappedTag<Number, lane_columns> d;
     for (std::size_t column = 0; column < walk.u.count; column += lane_columns) {
