@@ -48,8 +48,9 @@ void l3d_method_patches::dice_one(const l3d_method_frame& frame, const l3d_place
     const std::uint32_t material = frame.scene.material_of(placed.instance, placed.patch);
     const l3d_method_patch patch{
         l3d_placed_net(culling_.matrix(placed), model.patches()[placed.patch]),
-        instance.turns_normals() ? l3d_placed_normals(instance.normal_matrix(), model.normals(placed.patch))
-                                 : model.normals(placed.patch),
+        instance.turns_normals()
+            ? l3d_placed_normals(instance.normal_matrix(), model.normals(placed.patch))
+            : model.normals(placed.patch),
         frame.materials.empty() ? l3d_material().color : frame.materials[material].color,
         material,
         placed,

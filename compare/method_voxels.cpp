@@ -74,7 +74,8 @@ void l3d_method_voxels::fill(const l3d_patch_scene& scene) {
                 point = (vector(h[0], h[1], h[2]) - corner_) * cells_per_unit_;
             }
             const l3d_normal_net& normals = instance.model().normals(i);
-            fill(p, instance.turns_normals() ? l3d_placed_normals(instance.normal_matrix(), normals) : normals);
+            fill(p, instance.turns_normals() ? l3d_placed_normals(instance.normal_matrix(), normals)
+                                             : normals);
         }
     }
 }

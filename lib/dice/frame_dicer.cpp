@@ -333,7 +333,8 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
     if (view.focal == 0)
         space.bends = {};
     if (instance.turns_normals())
-        dice_patch(net, l3d_placed_normals(instance.normal_matrix(), normals), backs, slot(i), budget, space);
+        dice_patch(net, l3d_placed_normals(instance.normal_matrix(), normals), backs, slot(i),
+                   budget, space);
     else
         dice_patch(net, normals, backs, slot(i), budget, space);
 }

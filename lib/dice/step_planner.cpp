@@ -368,8 +368,7 @@ void bends_of(const l3d_image_patch& net, double x, double y, double focal, l3d_
         const lane_vec dx = hn::Sub(difference(p[0]), hn::Mul(hn::Set(d, x), w));
         const lane_vec dy = hn::Sub(difference(p[1]), hn::Mul(hn::Set(d, y), w));
         const lane_vec dw = hn::Mul(hn::Set(d, focal), w);
-        const lane_vec square =
-            hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dw, dw));
+        const lane_vec square = hn::Add(hn::Add(hn::Mul(dx, dx), hn::Mul(dy, dy)), hn::Mul(dw, dw));
         largest = hn::Max(largest, hn::IfThenElseZero(hn::FirstN(d, lanes), square));
     };
     const auto second = [&](std::size_t i, std::size_t step) HWY_ATTR {
@@ -393,9 +392,8 @@ void bends_of(const l3d_image_patch& net, double x, double y, double focal, l3d_
     for (std::size_t row = 0; row < 3; ++row)
         for (std::size_t column = 0; column < 3; column += hn::Lanes(d))
             take(3 - column, uv, twist(4 * row + column));
-    const auto size = [&](lane_vec square) HWY_ATTR {
-        return std::sqrt(hn::GetLane(hn::MaxOfLanes(d, square)));
-    };
+    const auto size = [&](lane_vec square)
+                          HWY_ATTR { return std::sqrt(hn::GetLane(hn::MaxOfLanes(d, square))); };
     out = {size(uu), size(vv), size(uv), hn::GetLane(hn::MinOfLanes(d, nearest))};
 }
 

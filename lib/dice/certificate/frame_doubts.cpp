@@ -164,8 +164,9 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
         whole.take(*trims);
     whole.net = l3d_placed_net(frame.to_image * instance.placement(), model.patches()[p.of.patch]);
     const l3d_normal_net& own = model.normals(p.of.patch);
-    whole.normals = instance.turns_normals() ? l3d_placed_normals(instance.normal_matrix(), own).polynomial()
-                                             : own.polynomial();
+    whole.normals = instance.turns_normals()
+                        ? l3d_placed_normals(instance.normal_matrix(), own).polynomial()
+                        : own.polynomial();
     return whole;
 }
 

@@ -273,9 +273,9 @@ edge_views view_edges(const std::array<l3d_image_curve, edges_at_once>& edges,
         for (std::size_t i = 0; i < 4; ++i)
             p[i] = {hn::Load(d, at(i, 0)), hn::Load(d, at(i, 1)), hn::Load(d, at(i, 2))};
         const auto near = hn::Load(d, nears.of + e);
-        const auto drawable = hn::And(
-            hn::And(safely_before(p[0], near, view), safely_before(p[1], near, view)),
-            hn::And(safely_before(p[2], near, view), safely_before(p[3], near, view)));
+        const auto drawable =
+            hn::And(hn::And(safely_before(p[0], near, view), safely_before(p[1], near, view)),
+                    hn::And(safely_before(p[2], near, view), safely_before(p[3], near, view)));
         const auto backwards = backwards_of(p);
         extents.take(p, e);
         for (std::size_t i = 0; i < 4; ++i) {
