@@ -4,6 +4,7 @@
 #include "odd_view.h"
 #include "dice/step_plan.h"
 #include "planned_error.h"
+#include "raster/parallel/simd_target.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <numeric>
 #include <span>
+#include <string>
 
 namespace dice_tests {
 namespace {
@@ -330,6 +332,53 @@ TEST(step_plan, an_edge_is_one_strip_in_both_directions_or_in_none) {
     }
     EXPECT_GT(strips, 200);
     EXPECT_LT(strips, 1800);
+}
+
+TEST(net_bends, are_those_of_differences_one_by_one_with_every_instruction_set) {
+    constexpr double focal = 800;
+    for (const std::string& target : l3d_simd_targets()) {
+        ASSERT_TRUE(l3d_set_simd_target(target));
+        random_numbers random(7);
+        for (int i = 0; i < 200; ++i) {
+            const l3d_image_patch net = sheet(random, random.of_any_size(0.1, 40));
+            const l3d_image_box hull = l3d_image_box_of(net.points);
+            const double x = (hull.left + hull.right) / 2, y = (hull.top + hull.bottom) / 2;
+            const auto raise = [&](double& most, const auto& difference) {
+                const double w = difference(2), dx = difference(0) - x * w,
+                             dy = difference(1) - y * w, dw = focal * w;
+                most = std::max(most, std::sqrt(dx * dx + dy * dy + dw * dw));
+            };
+            l3d_net_bends expected;
+            expected.least_w = net.points[0][2];
+            for (const l3d_image_point& p : net.points)
+                expected.least_w = std::min(expected.least_w, p[2]);
+            for (int r = 0; r < 4; ++r)
+                for (int c = 0; c < 4; ++c) {
+                    const auto at = [&](int row, int column, int k) {
+                        return net.at(row, column)[k];
+                    };
+                    if (c < 2)
+                        raise(expected.uu, [&](int k) {
+                            return at(r, c, k) + at(r, c + 2, k) - 2 * at(r, c + 1, k);
+                        });
+                    if (r < 2)
+                        raise(expected.vv, [&](int k) {
+                            return at(r, c, k) + at(r + 2, c, k) - 2 * at(r + 1, c, k);
+                        });
+                    if (r < 3 && c < 3)
+                        raise(expected.uv, [&](int k) {
+                            return at(r, c, k) - at(r, c + 1, k) - at(r + 1, c, k) +
+                                   at(r + 1, c + 1, k);
+                        });
+                }
+            const l3d_net_bends bends = l3d_bends_of(net, hull, focal);
+            ASSERT_EQ(bends.uu, expected.uu) << target;
+            ASSERT_EQ(bends.vv, expected.vv) << target;
+            ASSERT_EQ(bends.uv, expected.uv) << target;
+            ASSERT_EQ(bends.least_w, expected.least_w) << target;
+        }
+    }
+    l3d_set_simd_target({});
 }
 
 } // namespace

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <string>
@@ -233,6 +235,38 @@ TEST(placed_net, has_the_bits_of_products_one_by_one_with_every_instruction_set)
                 ASSERT_EQ(net.points[k][1], h[1]) << target;
                 ASSERT_EQ(net.points[k][2], h[3]) << target;
             }
+        }
+    }
+    l3d_set_simd_target({});
+}
+
+TEST(placed_normals, have_the_bits_of_products_one_by_one_with_every_instruction_set) {
+    std::mt19937_64 random(4411);
+    std::uniform_real_distribution<double> coordinate(-1, 1);
+    for (const std::string& target : l3d_simd_targets()) {
+        ASSERT_TRUE(l3d_set_simd_target(target));
+        for (int i = 0; i < 200; ++i) {
+            l3d_normal_polynomial normals;
+            for (auto& v : normals.points)
+                v = {coordinate(random), coordinate(random), coordinate(random)};
+            const l3d_normal_net net(normals);
+            const l3d_matrix<double> m = random_placement(random, 1);
+            std::array<vector, 36> turned;
+            double most = 0;
+            for (std::size_t k = 0; k < turned.size(); ++k)
+                for (int row = 0; row < 3; ++row) {
+                    const auto& n = net.polynomial().points[k];
+                    turned[k][row] = m(row, 0) * n[0] + m(row, 1) * n[1] + m(row, 2) * n[2];
+                    most = std::max(most, std::abs(turned[k][row]));
+                }
+            const l3d_normal_net result = l3d_placed_normals(m, net);
+            for (std::size_t k = 0; k < turned.size(); ++k)
+                for (int row = 0; row < 3; ++row) {
+                    const double expected = turned[k][row] * (1 / most);
+                    ASSERT_EQ(result.polynomial().points[k][row], expected) << target;
+                    ASSERT_EQ(result.in_floats()[row][k / 6][k % 6], static_cast<float>(expected))
+                        << target;
+                }
         }
     }
     l3d_set_simd_target({});

@@ -193,7 +193,7 @@ private:
     /// A vertex of the row or a point of the edge, and its parameter.
     struct slit_corner {
         slit_place at;
-        std::size_t index; ///< of the grid's vertex, or of the edge's point
+        std::size_t index; ///< the grid's vertex, or the edge's point
         bool on_edge;
         double along;
     };

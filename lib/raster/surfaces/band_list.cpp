@@ -140,7 +140,7 @@ void band_list::list_part(const l3d_surface_part& part, place at, const frame& o
                 .triangle_begin = i,
                 .triangle_end = std::min(i + triangles_in_item, triangles)};
         place_item(item, bounds_of(part.triangles, item.triangle_begin, item.triangle_end), of);
-        if (of_grid > 0)
+        if (of_grid > 0 && !of.squares)
             item.order = of_grid;
     }
 }
