@@ -39,7 +39,8 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 /// Shape:   side as in l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written.
 /// Expects: the edge has strips. An end of the row between the edge's own ends is at the exact
 ///          place that both neighbours compute. The edge's points there may be balanced.
-/// Cost:    some 150 instructions for a triangle that is left out, and 500 for another one. No allocation once there is memory for the most triangles.
+/// Cost:    some 150 instructions for a triangle that is left out, and 500 for another one. No
+///          allocation once there is memory for the most triangles.
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
                     const l3d_dice_view& view, double t0 = 0, double t1 = 1);
 
