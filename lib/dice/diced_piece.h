@@ -28,6 +28,17 @@ struct l3d_gap_spans {
     std::array<of_blocks, 2> straight{}; ///< for triangles whose levels are planes
 };
 
+/// How far something drawn may be from what it stands for.
+/// Units: pixels; those of depth are pixels at the place's own depth, in space.
+struct l3d_drawn_distance {
+    double places = 0, depth = 0;
+
+    void add(const l3d_drawn_distance& other) {
+        places = std::max(places, other.places);
+        depth = std::max(depth, other.depth);
+    }
+};
+
 /// A grid and the triangles around it. Vertex (r, c) of the grid stands for the exact surface
 /// point at (u[c], v[r]). Corner k of triangle i stands for the point at triangle_uv[k][i].
 ///
@@ -38,6 +49,7 @@ struct l3d_diced_piece {
     l3d_surface_part part;
     std::vector<double> u, v;
     double bound = 0; ///< certified image error of the grid, in pixels; triangles have the frame's
+    l3d_drawn_distance strips; ///< how far its strips may be from their edges, where they are seen
     l3d_gap_spans slits;
     bool has_levels = false; ///< vertices have levels and bends (l3d_micro_vertex), not normals
 
@@ -66,6 +78,7 @@ struct l3d_diced_piece {
         u.clear();
         v.clear();
         bound = 0;
+        strips = {};
         slits = {};
         has_levels = false;
         for (auto& corner : triangle_uv)

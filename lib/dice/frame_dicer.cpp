@@ -185,9 +185,6 @@ template <class T> void l3d_frame_dicer<T>::make_polylines(const task& of) {
         for (const l3d_shared_polyline& line : one.lines)
             one.off_px = std::max(one.off_px, line.off_px);
         counts_.edges_px = std::max(counts_.edges_px, one.off_px);
-        counts_.bound_px =
-            std::max(counts_.bound_px, l3d_shared_chord_error(view_) +
-                                           l3d_snap_error<double>(view_.window().reach()));
     }
 }
 
@@ -440,6 +437,10 @@ void l3d_frame_dicer<T>::trim(const l3d_patch_model& model, std::size_t patch, l
     space.counts.depth_bound_px += error.places_px;
     space.counts.normal_off += error.normals;
     space.counts.shade_bound += error.levels;
+    for (const l3d_diced_piece& piece : pieces) {
+        space.counts.strips_px = std::max(space.counts.strips_px, piece.strips.places);
+        space.counts.strips_depth_px = std::max(space.counts.strips_depth_px, piece.strips.depth);
+    }
 }
 
 template <class T>

@@ -31,6 +31,11 @@ namespace {
 /// section 25).
 constexpr double finer_for_map = 8;
 
+/// The part of the tolerance that curved models may take where there are trims: their polygons have
+/// corners by the root of it. Dicing gets what errors leave (docs/NUMERICS.md, section 27). The map
+/// of doubt says little beside borders that are off so far, so it keeps the usual part.
+constexpr double trimmed_share = 0.25;
+
 using l3d_detail::stopwatch;
 
 /// The most levels by which a shade changes if its unit normal is off by 1: NUMERICS, section 1.
@@ -170,18 +175,22 @@ void l3d_pipeline_afd::frame_event(const l3d_frame_times& times) {
 
 l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const l3d_pixels target = screen_->pixels();
-    if (scene_.has_trims() && !settings_.method.is_default()) // other methods draw no trims
+    const bool is_trimmed = scene_.has_trims();
+    if (is_trimmed && !settings_.method.is_default()) // other methods draw no trims
         take_method({});
+    const double share = is_trimmed && !settings_.error_map ? trimmed_share : l3d_curved_share;
     stages_->curved = scene_.choose_levels(
         {.camera = camera_,
          .size = target.size(),
-         .places_px = settings_.tolerance * l3d_curved_share,
+         .places_px = settings_.tolerance * share,
          .normals = settings_.shade_tolerance * l3d_curved_share_of_shade /
                     (settings_.error_map ? finer_for_map : 1) / lambert_levels});
     const bool is_curved = scene_.is_curved();
     stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
-    stages_->view =
-        stages_->transform.view(settings_.tolerance * (is_curved ? 1 - l3d_curved_share : 1));
+    double of_dicing = settings_.tolerance * (is_curved ? 1 - share : 1);
+    if (is_trimmed) // errors are less than their share by up to a factor of 4
+        of_dicing = std::max(of_dicing, settings_.tolerance - stages_->curved.places_px);
+    stages_->view = stages_->transform.view(of_dicing);
     stages_->view.shade_tolerance =
         settings_.shade_tolerance * (is_curved ? 1 - l3d_curved_share_of_shade : 1);
     if (settings_.lateral_only)
@@ -300,9 +309,8 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
     if (!stages_->method->certifies_depth() || stages_->view.focal == 0)
         report_.dice.depth_bound_px = std::numeric_limits<double>::infinity();
     report_.curved_px = stages_->curved.places_px;
-    report_.dice.bound_px += report_.curved_px;
+    report_.dice.add_off(report_.curved_px);
     report_.dice.coarsest.bound_px += report_.curved_px;
-    report_.dice.depth_bound_px += report_.curved_px;
     report_.dice.normal_off += stages_->curved.normals;
     if (stages_->method->certifies_shade(now.shading) && stages_->view.focal > 0 &&
         now.shading.lighting.point_count == 0 && !scene_.has_pictures()) {
@@ -444,7 +452,7 @@ void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     report_.dice = stages_->wire_dicer.counts();
     report_.dice.add(stages_->wire_culling.counts());
     report_.curved_px = stages_->curved.places_px;
-    report_.dice.bound_px += report_.curved_px;
+    report_.dice.add_off(report_.curved_px);
     report_.renderer = {};
     report_.surface = {};
     report_.outline_pixels = l3d_surface_counts::none_counted;

@@ -99,6 +99,16 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// the model (l3d_trim_curve::edge). It is measured, and part of the bounds above.
     double edges_px = 0;
 
+    /// Certified distances of strips between faces and edges from these edges. Errors of edges and
+    /// of curved models add nothing to them.
+    double strips_px = 0, strips_depth_px = 0;
+
+    /// Adds what shapes other than strips are off. Strips are off edges, and by so much alone.
+    void add_off(double px) {
+        bound_px = std::max(bound_px + px, strips_px);
+        depth_bound_px = std::max(depth_bound_px + px, strips_depth_px);
+    }
+
     /// Largest error of interpolated normals, over quads and slits. They are compared with the
     /// exact unit normals at the same parameters. Only vertices that have normals count.
     /// l3d_surface_counts::normal_error has the error that polygons' shapes add.
@@ -132,6 +142,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         bound_px = std::max(bound_px, other.bound_px);
         depth_bound_px = std::max(depth_bound_px, other.depth_bound_px);
         edges_px = std::max(edges_px, other.edges_px);
+        strips_px = std::max(strips_px, other.strips_px);
+        strips_depth_px = std::max(strips_depth_px, other.strips_depth_px);
         normal_off = std::max(normal_off, other.normal_off);
         shade_bound = std::max(shade_bound, other.shade_bound);
         unproven_quads += other.unproven_quads;

@@ -155,6 +155,8 @@ void judge_solid(const solid& of, const camera_rays& rays, const l3d_pipeline_af
     ASSERT_TRUE(std::isfinite(report.dice.bound_px) && std::isfinite(report.dice.depth_bound_px));
     sum.most_bound =
         std::max(sum.most_bound, (report.dice.bound_px - report.dice.edges_px) / tolerance);
+    sum.most_depth_bound = std::max(
+        sum.most_depth_bound, (report.dice.depth_bound_px - report.dice.edges_px) / tolerance);
     sum.most_edges = std::max(sum.most_edges, report.dice.edges_px / tolerance);
     const exact_view exact(of, rays);
     const std::vector<float> distances = pipeline.distances();

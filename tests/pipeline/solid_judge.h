@@ -26,7 +26,8 @@ struct solid_verdict {
     double worst_outline = 0; ///< how far the outline is off at most, by the bound of places
     double worst_depth = 0;   ///< how far a drawn point is off the surface, by the bound of depth
     double most_bound = 0;    ///< the largest bound without what edges are off, by the tolerance
-    double most_edges = 0;    ///< the most that edges are off, by the tolerance
+    double most_depth_bound = 0; ///< likewise for depths
+    double most_edges = 0;       ///< the most that edges are off, by the tolerance
 
     long errors() const { return uncovered + beyond + off + behind; }
 };

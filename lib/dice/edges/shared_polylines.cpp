@@ -2,11 +2,14 @@
 // l3d_shared_polyline, l3d_add_strip: an edge is halved until its chords are near and short.
 #include "dice/edges/shared_polylines.h"
 
+#include "dice/edges/strip_error.h"
 #include "dice/grid_light.h"
+#include "raster/surfaces/quad_cut_p.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -53,7 +56,12 @@ public:
     void add(const image_curve& of, double from, double to, int halvings, bool is_seen) {
         constexpr int most_halvings = 24;
         is_seen = is_seen || all_is_seen(of);
-        if (halvings < most_halvings && (is_seen || may_be_seen(of)) && !is_flat(of, is_seen)) {
+        const bool may_be = is_seen || may_be_seen(of);
+        l3d_drawn_distance off = off_chord(of, is_seen);
+        const bool is_near = off.places <= wanted_ && off.depth <= wanted_;
+        if (!may_be && !is_near)
+            off.places = off.depth = std::numeric_limits<double>::infinity();
+        if (halvings < most_halvings && may_be && !is_near) {
             image_curve low, high;
             of.halve(low, high);
             const double middle = (from + to) / 2;
@@ -62,11 +70,12 @@ public:
             return;
         }
         const control_point& end = of.points[of.count - 1];
-        put({end[0] / end[3], end[1] / end[3], end[2] / end[3]}, to);
+        put({end[0] / end[3], end[1] / end[3], end[2] / end[3]}, to, off);
     }
 
-    void put(const l3d_image_point& h, double t) {
+    void put(const l3d_image_point& h, double t, const l3d_drawn_distance& off) {
         to_.t.push_back(t);
+        to_.chords.push_back(off);
         const l3d_clip_vertex& v = to_.points.emplace_back(l3d_canonical_vertex(h, view_));
         if (!v.drawable || off_ == 0)
             return;
@@ -101,30 +110,46 @@ private:
                !all([&](const point& p) { return p[1] > box_.bottom * p[2]; });
     }
 
-    bool is_flat(const image_curve& of, bool is_seen) const {
+    /// How far a part may be from its chord, infinite if that is too long or not before the eye.
+    /// Points of the part, and their 1 / w, are means of its control points' with weights like w.
+    /// Chords are linear in both.
+    l3d_drawn_distance off_chord(const image_curve& of, bool is_seen) const {
+        constexpr double infinite = std::numeric_limits<double>::infinity();
         const control_point &a = of.points[0], &b = of.points[of.count - 1];
-        for (std::size_t i = 0; !is_seen && i < of.count; ++i)
-            if (of.points[i][2] <= view_.near * of.points[i][3])
-                return false;
+        double heaviest = 0; // the weights of points between
+        for (std::size_t i = 0; i < of.count; ++i) {
+            if (!is_seen && of.points[i][2] <= l3d_measured_near(view_) * of.points[i][3])
+                return {infinite, infinite};
+            if (i > 0 && i + 1 < of.count)
+                heaviest = std::max(heaviest, of.points[i][2]);
+        }
         const double ax = a[0] / a[2], ay = a[1] / a[2];
         const double dx = b[0] / b[2] - ax, dy = b[1] / b[2] - ay, square = dx * dx + dy * dy;
         if (square > l3d_longest_shared_chord * l3d_longest_shared_chord)
-            return false;
+            return {infinite, infinite};
+        const double near_a = a[3] / a[2], near_b = b[3] / b[2]; // 1 / w
+        double least = std::min(near_a, near_b);
+        double off = 0, reach = 0; // squares
+        double off_w = 0;          // a difference of 1 / w
         for (std::size_t i = 1; i + 1 < of.count; ++i) {
-            const double x = of.points[i][0] / of.points[i][2] - ax;
-            const double y = of.points[i][1] / of.points[i][2] - ay;
-            const double part = square > 0 ? std::clamp((x * dx + y * dy) / square, 0.0, 1.0) : 0;
-            const double off_x = x - part * dx, off_y = y - part * dy;
-            if (off_x * off_x + off_y * off_y > wanted_ * wanted_)
-                return false;
-            // 1 / w is linear along chords. A change of w by by_w_ is as long as by_place_ / w
-            // pixels.
-            const double depth = of.points[i][3] / of.points[i][2];
-            const double on_chord = (1 - part) * a[3] / a[2] + part * b[3] / b[2];
-            if (std::abs(depth - on_chord) * by_place_ > wanted_ * by_w_ * depth)
-                return false;
+            const double x = of.points[i][0] / of.points[i][2];
+            const double y = of.points[i][1] / of.points[i][2];
+            const double along = (x - ax) * dx + (y - ay) * dy;
+            const double part = square > 0 ? std::clamp(along / square, 0.0, 1.0) : 0;
+            const double off_x = x - ax - part * dx, off_y = y - ay - part * dy;
+            off = std::max(off, off_x * off_x + off_y * off_y);
+            const double here = of.points[i][3] / of.points[i][2];
+            const double on_chord = (1 - part) * near_a + part * near_b;
+            off_w = std::max(off_w, std::abs(here - on_chord));
+            least = std::min({least, here, on_chord});
+            reach = std::max(reach, x * x + y * y);
         }
-        return true;
+        const auto [far, near] = std::minmax(near_a, near_b);
+        const double share =
+            l3d_share_between(of.count, std::min(a[2], b[2]) * far, heaviest * near);
+        const double places = share * std::sqrt(off), part_of_w = off_w / least;
+        const double ray = std::sqrt(reach + view_.focal * view_.focal);
+        return {places, places * (1 + part_of_w) + share * part_of_w * ray};
     }
 
     const l3d_dice_view& view_;
@@ -140,6 +165,8 @@ void l3d_shared_polyline::make(const l3d_shared_edge& edge, const l3d_matrix<dou
                                const l3d_dice_view& view) {
     t.clear();
     points.clear();
+    corners.clear();
+    chords.clear();
     off_px = 0;
     flattener flat(edge, to_image, view, *this);
     const auto placed = [&](double x, double y, double z, double w) {
@@ -151,7 +178,7 @@ void l3d_shared_polyline::make(const l3d_shared_edge& edge, const l3d_matrix<dou
         const control_point p = placed(at[0], at[1], at[2], 1);
         return l3d_image_point{p[0], p[1], p[2]};
     };
-    flat.put(end(0), edge.spans.front().from);
+    flat.put(end(0), edge.spans.front().from, {});
     for (const l3d_shared_edge::span& span : edge.spans) {
         image_curve curve{};
         for (const l3d_vector<double, 4>& p : span.points)
@@ -159,6 +186,25 @@ void l3d_shared_polyline::make(const l3d_shared_edge& edge, const l3d_matrix<dou
         flat.add(curve, span.from, span.to, 0, false);
     }
     points.back() = l3d_canonical_vertex(end(1), view);
+    // Ends that edges have in common may be beside their own.
+    const auto own_end = [&](const l3d_vector<double, 4>& p) {
+        const control_point q = placed(p[0], p[1], p[2], p[3]);
+        return l3d_image_point{q[0], q[1], q[2]} / q[3];
+    };
+    const auto add_move = [&](const l3d_image_point& from, const l3d_image_point& to,
+                              l3d_drawn_distance& chord) {
+        const double nearest = std::min(from[2], to[2]);
+        if (nearest <= l3d_measured_near(view))
+            return;
+        const double x = from[0] / from[2] - to[0] / to[2], y = from[1] / from[2] - to[1] / to[2];
+        chord.places += std::hypot(x, y);
+        chord.depth +=
+            std::hypot(from[0] - to[0], from[1] - to[1], view.focal * (from[2] - to[2])) / nearest;
+    };
+    add_move(own_end(edge.spans.front().points.front()), end(0), chords[1]);
+    add_move(own_end(edge.spans.back().points.back()), end(1), chords.back());
+    for (const l3d_clip_vertex& point : points)
+        corners.emplace_back(point, view);
 }
 
 l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
@@ -172,31 +218,75 @@ l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
     return result;
 }
 
+namespace {
+
+/// Whether a triangle is drawn without area: so is every other one where borders have points of the
+/// edge.
+bool covers_nothing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c) {
+    return a.drawable && b.drawable && c.drawable &&
+           l3d_detail::twice_area(a.dice.vertex, b.dice.vertex, c.dice.vertex) == 0;
+}
+
+/// Gives a point of a strip the parameters and the light of its border, a share of the way along
+/// it.
+void light(const l3d_border_point& from, const l3d_border_point& to, double share, bool has_levels,
+           l3d_dice_vertex& at) {
+    const l3d_dice_vertex &a = from.at.dice, &b = to.at.dice;
+    at.u = a.u + (b.u - a.u) * share;
+    at.v = a.v + (b.v - a.v) * share;
+    float(&normal)[3] = at.vertex.normal;
+    for (std::size_t k = 0; k < 3; ++k)
+        normal[k] = a.vertex.normal[k] +
+                    static_cast<float>(share) * (b.vertex.normal[k] - a.vertex.normal[k]);
+    if (!has_levels)
+        l3d_make_unit(normal);
+}
+
+} // namespace
+
 void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from,
                    const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {
     if (to.t < from.t)
         return l3d_add_strip(line, to, from, view, piece);
-    const auto lit = [&](std::size_t i) {
-        l3d_clip_vertex result = line.points[i];
-        const double part = to.t > from.t ? (line.t[i] - from.t) / (to.t - from.t) : 0;
-        const auto share = static_cast<float>(std::clamp(part, 0.0, 1.0));
-        const l3d_dice_vertex &a = from.at.dice, &b = to.at.dice;
-        result.dice.u = a.u + (b.u - a.u) * double{share};
-        result.dice.v = a.v + (b.v - a.v) * double{share};
-        float(&normal)[3] = result.dice.vertex.normal;
-        for (std::size_t k = 0; k < 3; ++k)
-            normal[k] = a.vertex.normal[k] + share * (b.vertex.normal[k] - a.vertex.normal[k]);
-        if (!view.makes_levels())
-            l3d_make_unit(normal);
-        return result;
+    const auto share_of = [&](double t) {
+        const double part = to.t > from.t ? (t - from.t) / (to.t - from.t) : 0;
+        return double{static_cast<float>(std::clamp(part, 0.0, 1.0))};
     };
     const auto above = std::ranges::upper_bound(line.t, from.t);
-    std::size_t i =
+    const std::size_t first =
         above == line.t.begin() ? 0 : static_cast<std::size_t>(above - line.t.begin()) - 1;
+    // Where the edge leaves the picture, nobody sees that the border has a corner.
+    const auto is_known = [&](std::size_t i) { return std::isfinite(line.chords[i].places); };
+    for (std::size_t i = first + 1; i + 1 < line.t.size() && line.t[i] < to.t; ++i) {
+        if ((is_known(i) && is_known(i + 1)) || !(line.t[i] > from.t))
+            continue;
+        const double share = share_of(line.t[i]);
+        l3d_border_point middle{
+            l3d_canonical_vertex(from.at.h + (to.at.h - from.at.h) * share, view), line.t[i]};
+        light(from, to, share, view.makes_levels(), middle.at.dice);
+        l3d_add_strip(line, from, middle, view, piece);
+        return l3d_add_strip(line, middle, to, view, piece);
+    }
+    const auto lit = [&](std::size_t i) {
+        l3d_clip_vertex result = line.points[i];
+        light(from, to, share_of(line.t[i]), view.makes_levels(), result.dice);
+        return result;
+    };
+    bool covers = false;
+    const auto add = [&](const l3d_clip_vertex& a, const l3d_clip_vertex& b) {
+        if (covers_nothing(from.at, a, b))
+            return;
+        l3d_clip_triangle(from.at, a, b, view, piece);
+        covers = true;
+    };
+    const bool has_inner = first + 1 < line.t.size() && line.t[first + 1] <= to.t;
+    if (!has_inner && covers_nothing(from.at, to.at, line.points[first]))
+        return;
+    std::size_t i = first;
     l3d_clip_vertex last = lit(i);
     for (; i + 1 < line.t.size() && line.t[i + 1] <= to.t; ++i) {
         l3d_clip_vertex next = lit(i + 1);
-        l3d_clip_triangle(from.at, last, next, view, piece);
+        add(last, next);
         l3d_clip_vertex a = last, b = next;
         if (view.shading.antialias && piece.part.triangles.count > 0 &&
             l3d_clip_segment(a, b, view)) {
@@ -207,5 +297,7 @@ void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from
         }
         last = next;
     }
-    l3d_clip_triangle(from.at, to.at, last, view, piece);
+    add(to.at, last);
+    if (covers)
+        piece.strips.add(l3d_strip_error(line, first, i, from.at, to.at, view));
 }

@@ -13,21 +13,35 @@
 #include <cstddef>
 #include <vector>
 
+/// A corner of a strip in the picture, with z = 0, and in space, in pixels times w. It may be one
+/// that clipping cuts off.
+struct l3d_strip_corner {
+    l3d_vector<double, 3> picture, space;
+
+    l3d_strip_corner(const l3d_clip_vertex& at, const l3d_dice_view& view);
+};
+
 /// Points of an edge of a model, a function of the edge and the view alone.
 ///
-/// In the picture and the margin around it, no chord is longer than l3d_longest_shared_chord.
-/// Shape: points in order of rising t.
+/// In the picture and the margin around it, no chord is longer than l3d_longest_shared_chord, and
+/// the edge is within l3d_shared_chord_error() of its chords.
+/// Shape: points in order of rising t; chord i ends at point i.
 /// Cost:  kept for its memory.
 struct l3d_shared_polyline {
     std::vector<double> t; ///< the edge's parameters
     std::vector<l3d_clip_vertex> points;
+    std::vector<l3d_strip_corner> corners;  ///< the points as they are drawn
+    std::vector<l3d_drawn_distance> chords; ///< how far the edge may be off; infinite if unknown
     double off_px = 0; ///< how far the edge is off its faces where it may be seen
 
-    /// Makes the polyline. Every point of the edge in the picture is within
-    /// l3d_shared_chord_error() of its chord.
     void make(const l3d_shared_edge& edge, const l3d_matrix<double>& to_image,
               const l3d_dice_view& view);
 };
+
+/// Chords and strips that cross the near plane are measured as far as here.
+inline double l3d_measured_near(const l3d_dice_view& view) {
+    return view.near / 2;
+}
 
 /// How far chords of a shared polyline may be from the edge: a quarter of the tolerance.
 inline double l3d_shared_chord_error(const l3d_dice_view& view) {

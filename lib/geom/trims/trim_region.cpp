@@ -129,8 +129,7 @@ std::array<curve, 2> halves_of(const curve& whole) {
     return result;
 }
 
-/// How far a curve may be from its chord, in space. Its points are means of control points. The
-/// first and last one are on the chord, and have at least 2^(1 - n) of the weight among equals.
+/// How far a curve may be from its chord, in space. Its points are means of control points.
 double off_chord(const curve& of, const l3d_trim_place& lengths) {
     const auto scaled = [&](const std::array<double, 3>& p) {
         return l3d_trim_place{p[0] * lengths[0], p[1] * lengths[1]};
@@ -145,10 +144,7 @@ double off_chord(const curve& of, const l3d_trim_place& lengths) {
         result = std::max(result, std::abs(p[0] - a[0] - t * x) + std::abs(p[1] - a[1] - t * y));
         heaviest = std::max(heaviest, of[i][2]);
     }
-    const double ends =
-        std::ldexp(std::min(of.front()[2], of.back()[2]), 2 - static_cast<int>(of.size()));
-    const double between = heaviest * (1 - std::ldexp(1.0, 2 - static_cast<int>(of.size())));
-    return between > 0 ? result * (between / (between + ends)) : 0;
+    return result * l3d_share_between(of.size(), std::min(of.front()[2], of.back()[2]), heaviest);
 }
 
 l3d_trim_box hull_of(const curve& of) {
@@ -244,6 +240,12 @@ std::string l3d_trims_complaint(std::span<const l3d_trim_loop> loops) {
 
 std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops) {
     return complaint_of(loops, true);
+}
+
+double l3d_share_between(std::size_t points, double lightest_end, double heaviest_between) {
+    const double of_ends = 2.0 / static_cast<double>(1U << (points - 1));
+    const double ends = lightest_end * of_ends, between = heaviest_between * (1 - of_ends);
+    return between > 0 ? between / (between + ends) : 0;
 }
 
 double l3d_off_chord(const l3d_trim_curve& curve, const l3d_trim_place& lengths) {

@@ -96,6 +96,10 @@ l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim
                             const std::function<double(const l3d_trim_box&)>& wanted,
                             l3d_trim_region& to);
 
+/// The largest share that the control points between a rational curve's ends have of any of its
+/// points: the ends have 2^(1 - n) at least among equal weights, where n is the degree.
+double l3d_share_between(std::size_t points, double lightest_end, double heaviest_between);
+
 /// How far a curve may be from the chord between its ends, in space. Shape: as l3d_flat_trims.
 double l3d_off_chord(const l3d_trim_curve& curve, const l3d_trim_place& lengths);
 
