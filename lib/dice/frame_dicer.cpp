@@ -270,7 +270,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
         // Nothing is known of its shades. Slits beside a block count as one quad.
         if (!model.has_normal_error(of.batch[i].patch))
             unproven += std::int64_t{piece.part.grid.rows} * piece.part.grid.columns +
-                        std::int64_t{4} * l3d_block_needs::most_blocks;
+                        std::int64_t{4 * l3d_block_needs::most_blocks};
     }
     if (!model.has_normal_error(of.batch[i].patch)) {
         space.counts.unproven_quads = unproven;
