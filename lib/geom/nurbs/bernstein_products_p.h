@@ -115,14 +115,14 @@ public:
     void add(const scaled_net& a, const scaled_net& b, double times = 1) {
         // b's rows lie as far apart as those of the product. So one loop multiplies a coefficient
         // of a, or four neighbours in a row of a, with all of b.
-        std::vector<double> rows(taps - 1 + b.n * stride() + b.m + taps);
+        const auto length = b.n * stride() + b.m + taps;
+        std::vector<double> rows(static_cast<std::size_t>(taps - 1 + length));
         double* const first = rows.data() + (taps - 1);
         for (int r = 0; r <= b.n; ++r)
             std::copy_n(b.row(r), b.m + 1, first + r * stride());
-        const auto length = b.n * stride() + b.m + taps;
         for (int r = 0; r <= a.n; ++r)
             for (int k = 0; k <= a.m; k += taps) {
-                std::array<double, taps> by{};
+                double by[taps]{};
                 for (int i = 0; i < taps && k + i <= a.m; ++i)
                     by[i] = times * a.row(r)[k + i];
                 double* const to = row(r) + k;

@@ -103,7 +103,7 @@ void l3d_grid_trims::cut_quad(const l3d_trim_region& region, const l3d_trim_bloc
         places.insert(places.end(), ends.begin(), ends.end());
     std::ranges::sort(places);
     places.erase(std::unique(places.begin(), places.end()), places.end());
-    const auto index_of = [&](const l3d_trim_place& at) {
+    const auto index_of = [&places = places](const l3d_trim_place& at) {
         return static_cast<std::uint32_t>(std::ranges::lower_bound(places, at) - places.begin());
     };
     const auto add = [](auto& to, const auto& from, const auto& made) {

@@ -104,7 +104,7 @@ bool winds_around(const l3d_trim_loop& loop, const l3d_trim_place& at) {
     l3d_trim_region chords;
     for (const l3d_trim_curve& curve : loop)
         (chords.polygons.empty() ? chords.polygons.emplace_back() : chords.polygons.front())
-            .push_back({curve.points.front()[0], curve.points.front()[1]});
+            .push_back({{curve.points.front()[0], curve.points.front()[1]}});
     return chords.contains(at);
 }
 
@@ -255,7 +255,7 @@ std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_
         }
         // The copies that meet the box.
         const l3d_trim_box hull = hull_of(way);
-        const auto copies = [&](std::size_t k) {
+        const auto copies = [&, &turns = turns](std::size_t k) {
             const double period = box.most[k] - box.least[k];
             constexpr double rounding = 1e-9; // a loop along the box's border has no copies
             if (!is_closed[k] || turns[k] != 0)
