@@ -284,7 +284,7 @@ void contour_search::add_by_signs(const cell& of) {
             piece_.contour.evaluate((of.u0 + of.u1) / 2, (of.v0 + of.v1) / 2).value[0] >= 0;
         // Edges 0 and 1 meet at corner 1, which is cut off if its sign is not that of the middle.
         if (middle == signs[1])
-            std::ranges::rotate(ends, ends.begin() + 1);
+            std::rotate(ends.begin(), ends.begin() + 1, ends.end());
     }
     for (std::size_t k = 0; k + 1 < ends.size(); k += 2)
         arcs_.push_back({ends[k], ends[k + 1]});

@@ -19,8 +19,7 @@ constexpr l3d_color edge_color = 0;
 
 /// The cubic on a patch above a straight line of parameters, with the patch's tangents at its ends.
 l3d_space_curve above(const patch& of, const l3d_trim_place& from, const l3d_trim_place& to) {
-    const auto [u0, v0] = from;
-    const auto [u1, v1] = to;
+    const double u0 = from[0], v0 = from[1], u1 = to[0], v1 = to[1];
     const auto slope = [&](double u, double v) {
         return (of.derivative_u(u, v) * (u1 - u0) + of.derivative_v(u, v) * (v1 - v0)) * (1.0 / 3);
     };

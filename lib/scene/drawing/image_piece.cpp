@@ -130,7 +130,7 @@ bernstein_net contour_of(const bernstein_net& p) {
 
 std::pair<bernstein_net, bernstein_net> bernstein_net::halves(bernstein_net whole, bool along_u) {
     std::pair<bernstein_net, bernstein_net> result{{whole.m, whole.n, whole.dims}, {}};
-    auto& [low, high] = result;
+    bernstein_net &low = result.first, &high = result.second;
     high = std::move(whole);
     for_lines(low, along_u, [&](std::size_t first, std::size_t stride, int degree) {
         low.c[first] = high.c[first];

@@ -42,8 +42,8 @@ void unite(stops& of, const l3d_nurbs_curve& curve) {
     std::erase_if(of, [&](double t) { return !(t > along.from + same && t < along.to - same); });
     of.insert(of.end(), {along.from, along.to});
     std::ranges::sort(of);
-    const auto rest = std::ranges::unique(of, [&](double a, double b) { return b - a <= same; });
-    of.erase(rest.begin(), rest.end());
+    const auto is_same = [&](double a, double b) { return b - a <= same; };
+    of.erase(std::unique(of.begin(), of.end(), is_same), of.end());
 }
 
 void move_to_stop(double& t, const stops& all, double same) {

@@ -35,8 +35,8 @@ std::vector<std::string> l3d_detail::model_names() {
     for (const std::string_view name : l3d_exact_shape_names())
         names.emplace_back(name);
     std::ranges::sort(names);
-    const auto twice = std::ranges::unique(names); // names of both a file and an exact shape
-    names.erase(twice.begin(), twice.end());
+    // Some are names of both a file and an exact shape.
+    names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }
 
