@@ -96,18 +96,26 @@ private:
                            });
     }
 
+    /// Whether faces may be seen at a part of the edge. They end within off_ of it, in space.
     bool may_be_seen(const image_curve& of) const {
+        const double w_off = off_ * by_w_;
+        // A way of off_ changes x - side w and y - side w by this times the weight at most.
+        const auto off_side = [&](double side) {
+            return off_ * by_place_ + std::abs(side) * w_off;
+        };
+        const double left = off_side(box_.left), right = off_side(box_.right);
+        const double top = off_side(box_.top), bottom = off_side(box_.bottom);
         const auto all = [&](const auto& is_out) {
             return std::all_of(of.points.begin(),
                                of.points.begin() + static_cast<std::ptrdiff_t>(of.count), is_out);
         };
         using point = control_point;
-        return !all([&](const point& p) { return p[2] <= view_.near * p[3]; }) &&
-               !all([&](const point& p) { return p[2] >= view_.far * p[3]; }) &&
-               !all([&](const point& p) { return p[0] < box_.left * p[2]; }) &&
-               !all([&](const point& p) { return p[0] > box_.right * p[2]; }) &&
-               !all([&](const point& p) { return p[1] < box_.top * p[2]; }) &&
-               !all([&](const point& p) { return p[1] > box_.bottom * p[2]; });
+        return !all([&](const point& p) { return p[2] <= (view_.near - w_off) * p[3]; }) &&
+               !all([&](const point& p) { return p[2] >= (view_.far + w_off) * p[3]; }) &&
+               !all([&](const point& p) { return p[0] < box_.left * p[2] - left * p[3]; }) &&
+               !all([&](const point& p) { return p[0] > box_.right * p[2] + right * p[3]; }) &&
+               !all([&](const point& p) { return p[1] < box_.top * p[2] - top * p[3]; }) &&
+               !all([&](const point& p) { return p[1] > box_.bottom * p[2] + bottom * p[3]; });
     }
 
     /// How far a part may be from its chord, infinite if that is too long or not before the eye.
