@@ -96,7 +96,8 @@ private:
                            });
     }
 
-    /// Whether faces may be seen at a part of the edge. They end within off_ of it, in space.
+    /// Whether faces may be seen at a part of the edge between the near and the far plane. They end
+    /// within off_ of it, in space.
     bool may_be_seen(const image_curve& of) const {
         const double w_off = off_ * by_w_;
         // A way of off_ changes x - side w and y - side w by this times the weight at most.
@@ -110,8 +111,8 @@ private:
                                of.points.begin() + static_cast<std::ptrdiff_t>(of.count), is_out);
         };
         using point = control_point;
-        return !all([&](const point& p) { return p[2] <= (view_.near - w_off) * p[3]; }) &&
-               !all([&](const point& p) { return p[2] >= (view_.far + w_off) * p[3]; }) &&
+        return !all([&](const point& p) { return p[2] <= view_.near * p[3]; }) &&
+               !all([&](const point& p) { return p[2] >= view_.far * p[3]; }) &&
                !all([&](const point& p) { return p[0] < box_.left * p[2] - left * p[3]; }) &&
                !all([&](const point& p) { return p[0] > box_.right * p[2] + right * p[3]; }) &&
                !all([&](const point& p) { return p[1] < box_.top * p[2] - top * p[3]; }) &&
@@ -250,34 +251,21 @@ void light(const l3d_border_point& from, const l3d_border_point& to, double shar
         l3d_make_unit(normal);
 }
 
-} // namespace
+/// The share of the way along a border at which the edge has a parameter.
+double share_at(double t, const l3d_border_point& from, const l3d_border_point& to) {
+    const double part = to.t > from.t ? (t - from.t) / (to.t - from.t) : 0;
+    return double{static_cast<float>(std::clamp(part, 0.0, 1.0))};
+}
 
-void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from,
-                   const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {
-    if (to.t < from.t)
-        return l3d_add_strip(line, to, from, view, piece);
-    const auto share_of = [&](double t) {
-        const double part = to.t > from.t ? (t - from.t) / (to.t - from.t) : 0;
-        return double{static_cast<float>(std::clamp(part, 0.0, 1.0))};
-    };
+/// Adds a strip whose chords are near the edge, or that is out of the picture.
+void add_uncut(const l3d_shared_polyline& line, const l3d_border_point& from,
+               const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {
     const auto above = std::ranges::upper_bound(line.t, from.t);
     const std::size_t first =
         above == line.t.begin() ? 0 : static_cast<std::size_t>(above - line.t.begin()) - 1;
-    // Where the edge leaves the picture, nobody sees that the border has a corner.
-    const auto is_known = [&](std::size_t i) { return std::isfinite(line.chords[i].places); };
-    for (std::size_t i = first + 1; i + 1 < line.t.size() && line.t[i] < to.t; ++i) {
-        if ((is_known(i) && is_known(i + 1)) || !(line.t[i] > from.t))
-            continue;
-        const double share = share_of(line.t[i]);
-        l3d_border_point middle{
-            l3d_canonical_vertex(from.at.h + (to.at.h - from.at.h) * share, view), line.t[i]};
-        light(from, to, share, view.makes_levels(), middle.at.dice);
-        l3d_add_strip(line, from, middle, view, piece);
-        return l3d_add_strip(line, middle, to, view, piece);
-    }
     const auto lit = [&](std::size_t i) {
         l3d_clip_vertex result = line.points[i];
-        light(from, to, share_of(line.t[i]), view.makes_levels(), result.dice);
+        light(from, to, share_at(line.t[i], from, to), view.makes_levels(), result.dice);
         return result;
     };
     bool covers = false;
@@ -308,4 +296,28 @@ void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from
     add(to.at, last);
     if (covers)
         piece.strips.add(l3d_strip_error(line, first, i, from.at, to.at, view));
+}
+
+} // namespace
+
+void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from,
+                   const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {
+    if (to.t < from.t)
+        return l3d_add_strip(line, to, from, view, piece);
+    // Where the edge leaves the picture, nobody sees that the border has a corner.
+    const auto is_known = [&](std::size_t i) { return std::isfinite(line.chords[i].places); };
+    const auto above = std::ranges::upper_bound(line.t, from.t);
+    l3d_border_point begin = from;
+    for (auto i = static_cast<std::size_t>(above - line.t.begin());
+         i + 1 < line.t.size() && line.t[i] < to.t; ++i) {
+        if ((is_known(i) && is_known(i + 1)) || !(line.t[i] > begin.t))
+            continue;
+        const double share = share_at(line.t[i], begin, to);
+        l3d_border_point middle{
+            l3d_canonical_vertex(begin.at.h + (to.at.h - begin.at.h) * share, view), line.t[i]};
+        light(begin, to, share, view.makes_levels(), middle.at.dice);
+        add_uncut(line, begin, middle, view, piece);
+        begin = middle;
+    }
+    add_uncut(line, begin, to, view, piece);
 }
