@@ -33,8 +33,8 @@ struct band_item {
 /// The items of a frame, sorted front to back, and the bands that they touch.
 ///
 /// Items are sorted by their nearest vertices, rounded to one part in 2^8, then by their places in
-/// the list of parts. Where pixels are what their centres show, triangles that hold no centre may be
-/// missing beside a grid. So those that are there are sorted as the grid is. The order depends
+/// the list of parts. Where pixels are what their centres show, triangles that hold no centre may
+/// be missing beside a grid. So those that are there are sorted as the grid is. The order depends
 /// neither on the bands nor on the number of workers.
 /// Lives: borrows the parts. Keeps its memory from frame to frame.
 class band_list {
