@@ -15,6 +15,7 @@
 #include <cmath>
 #include <cstdint>
 #include <iostream>
+#include <iterator>
 #include <string>
 #include <utility>
 #include <vector>
@@ -265,7 +266,7 @@ private:
                                counted(whole.counts.halvings, "halving") + ", " +
                                counted(whole.counts.doublings, "doubling"));
         write(whole_color, of(whole));
-        write(step_color, "equal: " + counted(even.places.size() - 1, "step"));
+        write(step_color, "equal: " + counted(std::ssize(even.places) - 1, "step"));
         write(step_color, of(even));
         write(fixed_color, "adaptive in 16.16: " + counted(fixed.counts.steps, "step"));
         write(fixed_color, of(fixed));

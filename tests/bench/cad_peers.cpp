@@ -212,7 +212,8 @@ double difference(const cad_cell& of, const l3d_patch_model& model) {
                         double covered = 0, differ = 0;
                         for (int y = 0; y < size.height; ++y)
                             for (int x = 0; x < size.width; ++x) {
-                                const int a = static_cast<int>(ours.pixels().row(y)[x] & 0xff);
+                                const auto column = static_cast<std::size_t>(x);
+                                const int a = static_cast<int>(ours.pixels().row(y)[column] & 0xff);
                                 const int b = theirs[static_cast<std::size_t>(y * size.width + x)];
                                 covered += a != 0;
                                 differ += (a != 0) != (b != 0) || std::abs(a - b) > far_apart;

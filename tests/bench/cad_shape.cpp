@@ -101,7 +101,7 @@ public:
         for (int t = 1; t <= of.mesh->NbTriangles(); ++t) {
             std::array<int, 3> n{};
             of.mesh->Triangle(t).Get(n[0], n[1], n[2]);
-            const auto at = [&](int k) { return static_cast<std::size_t>(n[k] - 1); };
+            const auto at = [&](std::size_t k) { return static_cast<std::size_t>(n[k] - 1); };
             const mesh_corner &a = corners[at(0)], &b = corners[at(1)], &c = corners[at(2)];
             if (!may_be_seen({a, b, c}))
                 continue;
