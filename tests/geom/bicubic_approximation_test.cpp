@@ -87,7 +87,7 @@ TEST(bicubic_approximation, keeps_its_bounds_for_weights_and_places_of_any_size)
     std::mt19937 random(2502);
     std::uniform_real_distribution<double> any(-1, 1);
     int finite = 0;
-    for (int trial = 0; trial < 400; ++trial) {
+    for (std::size_t trial = 0; trial < 400; ++trial) {
         l3d_patch_points patch = oracle::random_rational(random);
         const double least = std::array{-20, -40, -332, -332}[trial % 4];
         const double most = std::array{20, 40, -300, 40}[trial % 4];
