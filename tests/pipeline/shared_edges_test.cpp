@@ -257,12 +257,14 @@ TEST(shared_edges, are_drawn_as_lines) {
         const double y = rays.size.height / 2.0 - l3d_dot(p, rays.axes.up) / w * rays.focal;
         bool is_black = false;
         for (const int row : {-1, 0, 1})
-            for (const int column : {-1, 0, 1})
-                is_black = is_black ||
-                           pixels.row(static_cast<int>(y) + row)[static_cast<int>(x) + column] == 0;
+            for (const int column : {-1, 0, 1}) {
+                const auto at = static_cast<std::size_t>(static_cast<int>(x) + column);
+                is_black = is_black || pixels.row(static_cast<int>(y) + row)[at] == 0;
+            }
         EXPECT_TRUE(is_black) << i;
     }
-    const auto middle = pixels.row(rays.size.height / 2)[rays.size.width / 2];
+    const auto middle =
+        pixels.row(rays.size.height / 2)[static_cast<std::size_t>(rays.size.width / 2)];
     EXPECT_NE(middle, 0U);
 }
 
