@@ -97,26 +97,31 @@ private:
     }
 
     /// Whether faces may be seen at a part of the edge between the near and the far plane. They end
-    /// within off_ of it, in space.
+    /// within off_ of it, in space. Farther than a distance beside the picture, nobody looks: loose
+    /// edges near the eye would get chords without end. So many pixels are 256 of the longest
+    /// chords.
     bool may_be_seen(const image_curve& of) const {
-        const double w_off = off_ * by_w_;
-        // A way of off_ changes x - side w and y - side w by this times the weight at most.
-        const auto off_side = [&](double side) {
-            return off_ * by_place_ + std::abs(side) * w_off;
-        };
-        const double left = off_side(box_.left), right = off_side(box_.right);
-        const double top = off_side(box_.top), bottom = off_side(box_.bottom);
+        constexpr double farthest = 256 * l3d_longest_shared_chord;
         const auto all = [&](const auto& is_out) {
             return std::all_of(of.points.begin(),
                                of.points.begin() + static_cast<std::ptrdiff_t>(of.count), is_out);
         };
         using point = control_point;
+        // A way of `off` changes x - side w and y - side w by this times the weight at most.
+        const auto is_beside = [&](const l3d_image_box& box, double off) {
+            const auto slack = [&](double side) {
+                return off * (by_place_ + std::abs(side) * by_w_);
+            };
+            const double left = slack(box.left), right = slack(box.right);
+            const double top = slack(box.top), bottom = slack(box.bottom);
+            return all([&](const point& p) { return p[0] < box.left * p[2] - left * p[3]; }) ||
+                   all([&](const point& p) { return p[0] > box.right * p[2] + right * p[3]; }) ||
+                   all([&](const point& p) { return p[1] < box.top * p[2] - top * p[3]; }) ||
+                   all([&](const point& p) { return p[1] > box.bottom * p[2] + bottom * p[3]; });
+        };
         return !all([&](const point& p) { return p[2] <= view_.near * p[3]; }) &&
                !all([&](const point& p) { return p[2] >= view_.far * p[3]; }) &&
-               !all([&](const point& p) { return p[0] < box_.left * p[2] - left * p[3]; }) &&
-               !all([&](const point& p) { return p[0] > box_.right * p[2] + right * p[3]; }) &&
-               !all([&](const point& p) { return p[1] < box_.top * p[2] - top * p[3]; }) &&
-               !all([&](const point& p) { return p[1] > box_.bottom * p[2] + bottom * p[3]; });
+               !is_beside(box_, off_) && (off_ == 0 || !is_beside(box_.grown(farthest), 0));
     }
 
     /// How far a part may be from its chord, infinite if that is too long or not before the eye.
