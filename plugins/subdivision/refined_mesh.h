@@ -30,8 +30,8 @@ struct mesh_topology {
 
 /// A face that is not subdivided further: one patch.
 struct leaf {
-    int base_face;   ///< index of the cage's face that it is a part of
-    int quad;        ///< index among all quads; a face of n corners has n of them, or 1 if n is 4
+    int base_face;   ///< the cage's face that it is a part of.
+    int quad;        ///< its index among all quads. A face of n corners has n, or 1 if n is 4.
     int level, face; ///< the level, and the index among its faces
     /// The part of its quad, whose parameters run from 0 to 1.
     double u, v, size;

@@ -2,7 +2,6 @@
 // l3d_shared_polyline, l3d_add_strip: an edge is halved until its chords are near and short.
 #include "dice/edges/shared_polylines.h"
 
-#include "dice/edges/strip_error.h"
 #include "dice/grid_light.h"
 #include "raster/surfaces/quad_cut_p.h"
 

@@ -67,4 +67,13 @@ l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
 void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from,
                    const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece);
 
+/// The largest distance from an edge of the points of a strip that the picture may show.
+///
+/// It is measured at the drawn corners, and holds wherever these are (docs/NUMERICS.md, section
+/// 27). It is infinite if a corner cannot be drawn.
+/// Shape: the strip lies between a b and the polyline's points `first` to `last`.
+l3d_drawn_distance l3d_strip_error(const l3d_shared_polyline& line, std::size_t first,
+                                   std::size_t last, const l3d_clip_vertex& a,
+                                   const l3d_clip_vertex& b, const l3d_dice_view& view);
+
 #endif

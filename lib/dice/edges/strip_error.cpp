@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_strip_error: distances of drawn corners, which hold for all between them.
-#include "dice/edges/strip_error.h"
+#include "dice/edges/shared_polylines.h"
 
 #include "dice/snap.h"
 
