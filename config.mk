@@ -19,7 +19,7 @@ WERROR       ?=#  -Werror makes warnings errors, as .ci/run, make matrix and the
 CLANG_FORMAT ?= clang-format
 CLANG_TIDY   ?= clang-tidy
 PYTHON       ?= /usr/bin/python3#  whose headers the Python module is compiled with, and what tests run it with
-TESTS_AT_ONCE ?= 8#  how many tests are compiled together; 1 is quicker while you change a single one
+AT_ONCE ?= 8#  how many sources of a folder are compiled together; 1 is quicker while you change a single one
 TEST_TIMEOUT ?= 900#  seconds a test program may take, sanitizers on a slow machine included
 STRESS_TIMEOUT ?= 7200#  seconds the slow tests of one layer may take together
 

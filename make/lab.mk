@@ -7,9 +7,6 @@
 bench_cad     := $(filter cad,$(library_plugins))
 objects_bench := $(call objects,$(filter-out %_bench.cpp,$(wildcard tests/bench/*.cpp)) \
                      tests/scene/bodies.cpp tests/dice/scene.cpp $(if $(bench_cad),tests/cad/shapes.cpp))
-objects_stability := $(call objects,$(wildcard tests/stability/*.cpp))
-# Sources that only the lab compiles, and tests WITH=lab.
-LAB       := tests/stability/% tests/models/%
 STABILITY := $(OUT)/tests/stability/stability
 BENCHES   := $(patsubst %.cpp,$(OUT)/%,$(wildcard tests/bench/*_bench.cpp))
 FUZZERS   := $(patsubst tests/fuzz/corpus/%,$(OUT)/fuzz/%,$(wildcard tests/fuzz/corpus/*))
@@ -83,7 +80,7 @@ $(OUT)/log/stability.log: $(STABILITY) FORCE
 	$(call say,TEST,stability)
 	$(call logged,timeout --foreground $(TEST_TIMEOUT) $< --sample)
 
-$(OUT)/tests/models/model_polygons: %: %.o $(call archives,$(uses_models))
+$(OUT)/tests/models/model_polygons: $(objects_models) $(call archives,$(uses_models))
 	$(call say,LINK,$@)
 	$(Q)$(LINK) $(filter %.o,$^) $(filter %.a,$^) $(call links,$(LAYERS)) -o $@
 

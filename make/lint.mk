@@ -75,7 +75,7 @@ $(OUT)/log/fail.log: FORCE | packages-build
 	$(call say,CHECK,tests/fail)
 	$(call logged,tests/lint/must_fail.sh '$(CXX) $(FLAGS) -Ilib' $(wildcard tests/fail/*.cpp))
 
-$(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/%.o
+$(OUT)/%.tidy: %.cpp .clang-tidy $(OUT)/flags
 	$(call say,TIDY,$<)
 	$(Q)$(CLANG_TIDY) --quiet $< -- -xc++ -Wno-unknown-warning-option $(FLAGS) $(call include_paths,$<) && touch $@
 

@@ -3,24 +3,10 @@
 
 .PHONY: test test-farm stress matrix golden
 
-# TESTS_AT_ONCE tests of a layer are compiled together, as a unit; a last one is compiled as it is. The headers of
-# window systems take common words away from what follows them, so each test that may see them stays alone.
-alone  = $(foreach test,$(1),$(if $(findstring x11,$(test))$(findstring mesa,$(test)),$(test)))
-beyond := $(shell expr $(TESTS_AT_ONCE) + 1)
-unit   = $(if $(word 2,$(2)),$(eval unit_$(1) := $(2))$(1),$(2:.cpp=))
-units  = $(if $(2),$(call unit,tests/$(1)/unit_$(words $(3) x)_test,$(wordlist 1,$(TESTS_AT_ONCE),$(2))) \
-         $(call units,$(1),$(wordlist $(beyond),9999,$(2)),$(3) x))
-parts  = $(basename $(call alone,$(2))) $(call units,$(1),$(filter-out $(call alone,$(2)),$(2)))
-# Scenes and judges of dicing serve the tests of whole frames, too. Those of the reference are a layer.
-helped_dice     := scene
-helped_pipeline := scene dice
-helped_compare  := scene dice
-$(foreach l,$(tested),$(eval objects_tests/$(l) := \
-    $(foreach h,$(filter-out reference,$(l)) $(helped_$(l)),$(call helpers,$(h))) \
-    $(patsubst %,$(OUT)/%.o,$(call parts,$(l),$(sort $(wildcard tests/$(l)/*_test.cpp))))))
-UNITS     := $(patsubst unit_%,$(OUT)/%.cpp,$(filter unit_%,$(.VARIABLES)))
-OBJECTS   := $(sort $(call objects,$(filter-out %_test.cpp $(if $(filter lab,$(WITH)),,$(LAB)),$(LINTED))) $(foreach l,$(tested),$(objects_tests/$(l))) \
-             $(if $(filter python,$(WITH)),$(objects_python)))
+# What the law is read from: all objects of the library, of programs and of tests.
+lists     := $(LAYERS) compare reference $(apps:%=apps/%) $(library_plugins:%=plugins/%) $(tested:%=tests/%) \
+             $(if $(filter lab,$(WITH)),stability models) $(filter python,$(WITH))
+OBJECTS   := $(sort $(foreach l,$(lists),$(objects_$(l))))
 TESTERS   := $(tested:%=$(OUT)/tests/%_tests)
 SCRIPTS   := $(wildcard tests/x11/*_test.sh tests/x11/*_test.py)
 STRESS    := $(wildcard tests/x11/stress/*_test.py)
@@ -86,16 +72,6 @@ golden: packages-test $(APPS) $(PLUGINS) $(DATA) ## store the pictures' hashes t
 	L3D_BIN=$(abspath $(OUT)/bin) tests/x11/programs_test.py --write
 
 # ---- rules --------------------------------------------------------------------------------------
-
-$(foreach u,$(UNITS:$(OUT)/%.cpp=%),$(call remember,$(OUT)/list/units/$(u),$(unit_$(u))))
-$(UNITS): $(OUT)/%.cpp: $$(unit_$$*) $(OUT)/list/units/% make/test_unit.awk
-	$(Q)mkdir -p $(@D); awk -f make/test_unit.awk $(unit_$*) > $@
-# In a program's main file, g++ lets a class have a base that no other file knows.
-no_main_file = $(if $(findstring clang,$(compiler)),,-Wno-subobject-linkage)
-$(UNITS:.cpp=.o): $(OUT)/%.o: $(OUT)/%.cpp $(OUT)/flags $(call precompiled,_test.cpp).gch | packages-build
-	$(call say,C++,$@)
-	$(call compile,-iquote $(*D) $(no_main_file))
--include $(wildcard $(UNITS:.cpp=.d))
 
 # Tests of a plug-in look into it, too.
 $(TESTERS): $(OUT)/tests/%_tests: $$(objects_tests/$$*) $$(objects_plugins/$$*) $$(call archives,$$(call may_use,$$*)) \

@@ -7,8 +7,9 @@ flags_fixed   := -DL3D_REAL_FIXED
 # What makes mistakes harder to misuse: guarded stacks, checked calls of the C library, addresses
 # that nobody can guess, and tables that nobody can write to after the start.
 HARDENED      := -fstack-protector-strong -U_FORTIFY_SOURCE -D_FORTIFY_SOURCE=2 -fPIE
-flags_release := -O3 -DNDEBUG $(HARDENED)
-link_release := -Wl,-z,relro,-z,now
+# A program takes of a unit what it calls.
+flags_release := -O3 -DNDEBUG -ffunction-sections -fdata-sections $(HARDENED)
+link_release := -Wl,--gc-sections -Wl,-z,relro,-z,now
 pie_release   := -pie
 flags_debug   := -O0 -g
 flags_asan    := -O1 -g -fno-omit-frame-pointer -fno-sanitize-recover=all \

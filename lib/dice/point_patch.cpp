@@ -14,7 +14,7 @@
 namespace {
 
 /// Corners about the centre, in sub-pixels: the smallest triangle of whole numbers around it.
-constexpr std::array<std::array<std::int32_t, 2>, 3> corners{{{-1, -1}, {1, -1}, {0, 1}}};
+constexpr std::array<std::array<std::int32_t, 2>, 3> triangle_places{{{-1, -1}, {1, -1}, {0, 1}}};
 constexpr double extent = 1.5 / l3d_subpixel_one;
 
 bool far_apart(const l3d_image_point& a, const l3d_image_point& b, double limit) {
@@ -74,8 +74,8 @@ void l3d_draw_point(const l3d_point_place& place, const l3d_image_patch& net,
             number = -number;
     std::array<l3d_dice_vertex, 3> triangle;
     for (std::size_t i = 0; i < triangle.size(); ++i) {
-        triangle[i].vertex = {place.x + corners[i][0],
-                              place.y + corners[i][1],
+        triangle[i].vertex = {place.x + triangle_places[i][0],
+                              place.y + triangle_places[i][1],
                               view.depth_at(w),
                               {lit[0], lit[1], lit[2]}};
         triangle[i].u = triangle[i].v = middle;

@@ -16,7 +16,6 @@
 
 namespace {
 
-using l3d_detail::corners;
 using parameters = l3d_patch_parameters;
 
 template <std::size_t Corners>
@@ -286,7 +285,7 @@ void l3d_trim_cells::cut_border(const l3d_grid_trims& by) {
         const double low = std::min(begin, end), high = std::max(begin, end);
         if (low == high)
             continue;
-        const corners<2> of(ends, *view_);
+        const l3d_detail::corners<2> of(ends, *view_);
         const auto at = [&](double along) {
             const double part = (along - low) / (high - low);
             return of.place({1 - part, part});

@@ -58,6 +58,9 @@ private:
 /// The colour of lines: light blue, seen on the dark ground and on grey surfaces.
 inline constexpr std::uint32_t wire_color = 0x0080d0ff;
 
+/// The colour of control nets: orange.
+inline constexpr std::uint32_t net_color = 0x00ff9030;
+
 /// Draws lines of one colour, sharp or smooth.
 class wire_drawer {
 public:

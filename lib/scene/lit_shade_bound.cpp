@@ -10,7 +10,7 @@
 
 namespace {
 
-using vector = std::array<double, 3>;
+using direction = std::array<double, 3>;
 
 /// Error of normals by rounding to 16383rds, 2^-14.2, and by floats. Floats err as for levels, in
 /// parts of 229.5: by 20 * 2^-24 of numbers up to 2^8, times the cancellation of terms.
@@ -24,19 +24,19 @@ constexpr double least_power = 0x1p-12;
 
 constexpr double white = 255, scattered_part = 0.9;
 
-double length_of(const vector& v) {
+double length_of(const direction& v) {
     return std::hypot(v[0], v[1], v[2]);
 }
 
-vector way_at(const l3d_shading& shading, double x, double y) {
-    vector way;
+direction way_at(const l3d_shading& shading, double x, double y) {
+    direction way;
     for (std::size_t k = 0; k < way.size(); ++k)
         way[k] = double{shading.look[k]} + x * double{shading.look_right[k]} +
                  y * double{shading.look_down[k]};
     return way;
 }
 
-double angle_of(const vector& a, const vector& b) {
+double angle_of(const direction& a, const direction& b) {
     const double product = a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
     return std::acos(std::clamp(product / (length_of(a) * length_of(b)), -1.0, 1.0));
 }
@@ -48,7 +48,7 @@ double steepest(double k) {
 
 /// A cone around the picture's middle that holds all directions in which the picture looks.
 struct seen_cone {
-    vector middle;
+    direction middle;
     double half_angle = 0;
 
     seen_cone(const l3d_shading& shading, l3d_size size)
@@ -60,7 +60,7 @@ struct seen_cone {
 
     /// The largest angle between a light and the direction to the eye.
     double most_apart(const std::array<float, 3>& light) const {
-        const vector from_eye{-double{light[0]}, -double{light[1]}, -double{light[2]}};
+        const direction from_eye{-double{light[0]}, -double{light[1]}, -double{light[2]}};
         return std::min(angle_of(middle, from_eye) + half_angle, std::numbers::pi);
     }
 };

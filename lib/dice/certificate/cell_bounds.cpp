@@ -7,11 +7,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 namespace {
 
-constexpr double infinite = std::numeric_limits<double>::infinity();
+using l3d_detail::infinite;
 
 /// If a cell has more pieces than this, none are joined: each is a sheet that may end in the cell.
 constexpr std::size_t most_pieces = 256;

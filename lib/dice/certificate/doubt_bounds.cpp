@@ -6,14 +6,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace {
 
 using vector = l3d_normal_polynomial::vector;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
-using l3d_detail::line_of, l3d_detail::put, l3d_detail::rounding;
+using l3d_detail::infinite, l3d_detail::line_of, l3d_detail::put, l3d_detail::rounding;
 using l3d_detail::plane, l3d_detail::seen_normals, l3d_detail::cosines;
 
 struct place {

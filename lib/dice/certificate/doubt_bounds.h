@@ -15,8 +15,15 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <utility>
 #include <vector>
+
+namespace l3d_detail {
+
+inline constexpr double infinite = std::numeric_limits<double>::infinity();
+
+} // namespace l3d_detail
 
 /// A lamp of the exact picture.
 struct l3d_doubt_lamp {

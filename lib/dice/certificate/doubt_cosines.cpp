@@ -3,14 +3,12 @@
 #include "dice/certificate/doubt_cosines_p.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace l3d_detail {
 namespace {
 
 using vector = l3d_normal_polynomial::vector;
 constexpr std::size_t order = l3d_normal_polynomial::order;
-constexpr double infinite = std::numeric_limits<double>::infinity();
 
 /// If a normal's cosine with the common axis is smaller, only bounds of -1 and 1 are known.
 constexpr double least_cosine = 1.0 / 16;

@@ -8,15 +8,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace {
 
 using vector = l3d_vector<double, 3>;
-constexpr double infinite = std::numeric_limits<double>::infinity();
+using l3d_detail::infinite;
 
 /// Rounding of sums of light in double, and of the map's floats. Units: levels.
-constexpr double rounding = 1e-4;
+constexpr double level_rounding = 1e-4;
 
 /// If places are bounded by more than this, pixels are not searched for other surfaces: any part of
 /// a pixel may show one.
@@ -47,7 +46,7 @@ double most_off(std::uint32_t word, const l3d_light_bounds& light) {
         result = std::max({result, level - l3d_level_of_light(light.least[i]),
                            l3d_level_of_light(light.most[i]) - level});
     }
-    return std::min(result + rounding, 255.0);
+    return std::min(result + level_rounding, 255.0);
 }
 
 /// Relative rounding of normals. Their coefficients are sums of some dozens of products of

@@ -20,7 +20,7 @@ constexpr std::string_view noted_statements[] = {
     "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
 
 /// Statements skipped without a note: refraction, sharpness of reflections, smooth textures.
-constexpr std::string_view silent_statements[] = {"Ni", "sharpness", "map_aat"};
+constexpr std::string_view silent_material_statements[] = {"Ni", "sharpness", "map_aat"};
 
 /// Ambient and own light, and physical models: noted only if a number is not 0. Programs write "Ka
 /// 1 1 1" into every file.
@@ -65,7 +65,7 @@ private:
             read_value(word);
         else if (is_in(noted_statements) || (is_in(numbered_statements) && says_something(word)))
             text_.note_once("statements " + quoted(word) + " are skipped");
-        else if (!is_in(silent_statements) && !is_in(numbered_statements))
+        else if (!is_in(silent_material_statements) && !is_in(numbered_statements))
             text_.note(quoted(word) + " begins no statement of an .mtl file");
     }
 

@@ -11,20 +11,20 @@ namespace {
 
 /// A control point, as given and in homogeneous coordinates. A point that no mean changes keeps its
 /// given coordinates exactly.
-struct point {
+struct control_point {
     std::array<double, 3> place{};
     std::array<double, 4> weighted{}; ///< x w, y w, z w, w
 
-    friend bool operator==(const point&, const point&) = default;
+    friend bool operator==(const control_point&, const control_point&) = default;
 };
-using curve = std::vector<point>;
+using curve = std::vector<control_point>;
 
 /// A line of control points with a stride. The first `absent` points were never computed: no wanted
 /// segment depends on them.
 struct control_line {
-    const point* first;
+    const control_point* first;
     std::size_t stride, absent;
-    const point& operator[](std::size_t i) const { return first[(i - absent) * stride]; }
+    const control_point& operator[](std::size_t i) const { return first[(i - absent) * stride]; }
 };
 
 /// Whether the knot span from knots[span] on overlaps the wanted range.
@@ -46,12 +46,13 @@ std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d
 
 /// The weighted mean: exactly a or b if the other's weight is 0. It is clamped between a and b, so
 /// that coordinates stay below their limit.
-point between(const point& a, const point& b, double weight_a, double weight_b) {
+control_point between(const control_point& a, const control_point& b, double weight_a,
+                      double weight_b) {
     if (weight_b == 0 || a == b)
         return a;
     if (weight_a == 0)
         return b;
-    point result;
+    control_point result;
     const auto clamped = [](double value, double at_a, double at_b) {
         return std::clamp(value, std::min(at_a, at_b), std::max(at_a, at_b));
     };
@@ -66,8 +67,8 @@ point between(const point& a, const point& b, double weight_a, double weight_b) 
 
 /// Bezier point `index` of the segment over [a, b], which lies in the knot span from knots[span]
 /// on.
-point blossom(const l3d_bspline_direction& d, const control_line& points, std::size_t span,
-              double a, double b, std::size_t index) {
+control_point blossom(const l3d_bspline_direction& d, const control_line& points, std::size_t span,
+                      double a, double b, std::size_t index) {
     const auto n = static_cast<std::size_t>(d.degree);
     curve level(n + 1);
     for (std::size_t i = 0; i <= n; ++i)
@@ -185,7 +186,7 @@ std::vector<l3d_patch_points> l3d_bezier_patches(const l3d_bspline_direction& u,
         patch.points.reserve(columns * rows);
         for (std::size_t row = 0; row < rows; ++row)
             for (std::size_t column = 0; column < columns; ++column) {
-                const point& p = lines[(left + column) * height + top + row];
+                const control_point& p = lines[(left + column) * height + top + row];
                 patch.points.push_back(p.place);
                 if (!weights.empty())
                     patch.weights.push_back(p.weighted[3]);

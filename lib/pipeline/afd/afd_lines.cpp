@@ -16,7 +16,7 @@
 
 namespace {
 
-constexpr std::uint32_t net_color = 0x00ff9030, mark_color = 0x00ffd873;
+constexpr std::uint32_t mark_color = 0x00ffd873;
 
 /// Lines between points of the image; equal ones of several patches are kept once. A line that
 /// reaches behind the near plane is left out.
@@ -77,7 +77,7 @@ void l3d_pipeline_afd::draw_nets() {
     }
     // A smooth line would not cover transparent pixels.
     const bool smooth = settings_.antialias && !settings_.background.is_none();
-    l3d_detail::wire_drawer(rasterizer_, net_color, smooth, screen_->text_scale())
+    l3d_detail::wire_drawer(rasterizer_, l3d_detail::net_color, smooth, screen_->text_scale())
         .draw(lines.all());
 }
 

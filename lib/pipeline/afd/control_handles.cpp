@@ -2,6 +2,7 @@
 // l3d_control_handles: joins equal places to one handle; finds, moves and draws handles.
 #include "pipeline/pipeline_afd_editor.h"
 
+#include "pipeline/wire_p.h"
 #include "raster/paths/path.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ namespace {
 
 using vector = l3d_control_handles::vector;
 
-constexpr std::uint32_t net_color = 0x00ff9030, rim_color = 0x00101418, handle_color = 0x00f4f4f4,
+constexpr std::uint32_t rim_color = 0x00101418, handle_color = 0x00f4f4f4,
                         marked_color = 0x00ffd873;
 constexpr double pale = 0.35;  // the part of its colour that a hidden line keeps
 constexpr double radius = 3.5; // the size of a handle, in pixels
@@ -291,7 +292,7 @@ void l3d_control_handles::draw(l3d_rasterizer_2d& rasterizer, const l3d_handle_v
     }
     const auto draw_lines = [&](const l3d_path& path, double alpha) {
         rasterizer.draw_path(l3d_stroked(path, {.width = 1.4 * view.text_scale}),
-                             {.color = net_color, .alpha = alpha});
+                             {.color = l3d_detail::net_color, .alpha = alpha});
     };
     const auto draw_handles = [&](const l3d_path& path, std::uint32_t color, double alpha) {
         rasterizer.draw_path(path, {.color = color, .alpha = alpha});

@@ -15,11 +15,11 @@
 namespace {
 
 using vector = l3d_polygon_view::vector;
-using point = l3d_vector<double, 4>;
+using homogeneous = l3d_vector<double, 4>;
 using namespace l3d_detail;
 
-point placed(const l3d_matrix<double>& m, const vector& v) {
-    point result = m.column(3);
+homogeneous placed(const l3d_matrix<double>& m, const vector& v) {
+    homogeneous result = m.column(3);
     for (int k = 0; k < 3; ++k)
         result += m.column(k) * v[k];
     return result;
@@ -256,7 +256,8 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
     const l3d_model_triangle& triangle = in.model.triangles()[number];
     std::array<l3d_clip_vertex, 3> corners;
     for (std::size_t k = 0; k < 3; ++k) {
-        const point h = placed(in.view.matrix(), in.model.mesh().vertices[triangle.corners[k]]);
+        const homogeneous h =
+            placed(in.view.matrix(), in.model.mesh().vertices[triangle.corners[k]]);
         corners[k] = l3d_canonical_vertex({h[0], h[1], h[3]}, in.window);
         corners[k].dice.u = depths_.at(h[2], h[3]);
         std::ranges::copy(normal_of(in, number, k, from_behind), corners[k].dice.vertex.normal);

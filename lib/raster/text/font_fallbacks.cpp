@@ -11,11 +11,11 @@ namespace l3d_detail {
 
 namespace {
 
-struct handle_closer {
+struct fontconfig_closer {
     void operator()(FcPattern* pattern) const { FcPatternDestroy(pattern); }
     void operator()(FcCharSet* letters) const { FcCharSetDestroy(letters); }
 };
-template <class T> using unique = std::unique_ptr<T, handle_closer>;
+template <class T> using unique = std::unique_ptr<T, fontconfig_closer>;
 
 /// The machine's best font with this letter: smooth, upright, and without colours of its own.
 unique<FcPattern> best_with(char32_t code) {

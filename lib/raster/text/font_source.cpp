@@ -13,12 +13,12 @@ namespace l3d_detail {
 
 namespace {
 
-struct handle_closer {
+struct harfbuzz_closer {
     void operator()(hb_blob_t* blob) const { hb_blob_destroy(blob); }
     void operator()(hb_face_t* face) const { hb_face_destroy(face); }
     void operator()(hb_buffer_t* buffer) const { hb_buffer_destroy(buffer); }
 };
-template <class T> using owned = std::unique_ptr<T, handle_closer>;
+template <class T> using owned = std::unique_ptr<T, harfbuzz_closer>;
 
 /// Opens a font for HarfBuzz, in its own units. Null for formats whose glyphs cannot be found here.
 hb_font_t* harfbuzz_font(const std::string& file, long index) {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# test_unit.awk: the tests that are named, as one source. The nameless namespace of each gets a name
-# around it, so tests may call different things by one name.
+# unit.awk: the sources that are named, as one. The nameless namespace of a test gets a name around it, so tests may
+# call different things by one name; other sources may not.
 
 function close_spaces() {
     for (; open; --open)
@@ -13,7 +13,7 @@ FNR == 1 {
     gsub(/.*\/|\.cpp$/, "", space)
     print "#line 1 \"" FILENAME "\""
 }
-/^namespace \{$/ {
+FILENAME ~ /_test\.cpp$/ && /^namespace \{$/ {
     print "namespace file_" space " { namespace {"
     ++open
     next
