@@ -78,7 +78,7 @@ public:
     }
 
     /// Bounds the errors of depth in slits along the piece's sides, where chords are not balanced.
-    /// `along_side` is 1 in blocks at which a chord along d lies at a side, else 0; `at_side` says
+    /// `along_side` is 1 in blocks at which a chord along d lies at a side, else 0. `at_side` says
     /// the same of chords along the other direction.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane,
                                     const strip_numbers& s, lane_vec along_side,

@@ -76,8 +76,8 @@ template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& 
 /// Returns the sign that turns a grid's normals or levels to the eye. The sign is 1 if the grid
 /// shows both sides, so that normals stay dS/du x dS/dv.
 ///
-/// First corrects the border: calls negate(vertex) for each border vertex that shows another side
-/// than its inner neighbour, if is_other(border_side) says that its normal is to blame.
+/// First corrects the border. It calls negate(vertex) for each border vertex that shows another
+/// side than its inner neighbour, if is_other(border_side) blames the vertex's normal.
 template <class IsOther, class Negate>
 HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& is_other,
                              const Negate& negate) {

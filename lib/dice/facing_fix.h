@@ -33,10 +33,10 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
 /// whole quad is lit as that side. The other side of the surface begins at the same drawn line and
 /// lies behind.
 ///
-/// Where a side of a patch is nearly a point, the derivative along that side turns round, and
-/// normals there may be those of the other side. This function corrects such a vertex on the grid's
-/// border: its normal is more than a right angle off that of the next vertex inwards. The border
-/// vertex then shows the side that its inner neighbour shows.
+/// Where a side of a patch is nearly a point, the derivative along that side turns round. Normals
+/// there may be those of the other side. This function corrects such a vertex on the grid's border:
+/// its normal is more than a right angle off that of the next vertex inwards. The border vertex
+/// then shows the side that its inner neighbour shows.
 /// Shape: `away` has l3d_away_from_eye of each vertex, laid out as the grid's arrays. It is
 ///        corrected, too.
 void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
@@ -50,8 +50,8 @@ void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);
 ///        normal[2] hold the levels of the middles of sides; on return, they hold bends.
 void l3d_turn_levels(std::span<float> away, std::span<float> level, l3d_micro_grid& grid);
 
-/// Tells the sign of the light that a quad of a grid shows: -1 if the grid shows_both and the quad
-/// turns to the right, else 1. A folded quad gives the sign of its piece at `side`.
+/// Tells the sign of the light that a quad of a grid shows. It is -1 if the grid shows_both and the
+/// quad turns to the right, else 1. A folded quad gives the sign of its piece at `side`.
 /// Shape: `side` as in l3d_edge_polylines.
 float l3d_side_of_quad(const l3d_micro_grid& grid, int row, int column, std::size_t side);
 

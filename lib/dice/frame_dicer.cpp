@@ -30,8 +30,7 @@ double trimmed_tolerance(const l3d_dice_view& view) {
     return std::max(view.tolerance - l3d_trimmed_snap(view), view.tolerance / 2);
 }
 
-/// Whether a part of a net is lost to the net's own near plane: it lies nearer than that plane, but
-/// not nearer than the camera's.
+/// Whether the net's own near plane cuts off a part of it that the camera's would leave.
 bool is_pushed_away(const l3d_image_net& net, const l3d_dice_view& view, double camera_near) {
     return view.near != camera_near && net.w().least < view.near && net.w().most > camera_near;
 }

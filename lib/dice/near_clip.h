@@ -14,8 +14,8 @@ struct l3d_clip_vertex {
     bool away = false; ///< the normal points away from the eye, for lighting
 };
 
-/// Whether a homogeneous point can be drawn: it is between the near and the far plane, inside the
-/// guard band, and on the kept side of a section.
+/// Whether a homogeneous point can be drawn. It must lie between the near and the far plane, inside
+/// the guard band, and on the kept side of a section.
 bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view);
 
 /// Makes a vertex of a homogeneous point. Corners of pieces become pixels by this function alone,
@@ -26,8 +26,8 @@ l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_vi
 ///
 /// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q depends on p and q
 /// alone, whatever their order. So triangles that share an edge still fit together. With
-/// anti-aliasing, a part without a grid notes new sides as its border: those that lie in the near
-/// plane, in the far plane or in the plane of a section.
+/// anti-aliasing, a part without a grid notes new sides as its border. These are the sides in the
+/// near plane, in the far plane and in that of a section.
 /// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
                        const l3d_dice_view& view, l3d_diced_piece& out);

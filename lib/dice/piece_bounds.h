@@ -30,7 +30,7 @@ public:
     const l3d_image_net& net() const { return net_; }
     std::span<const l3d_image_patch> blocks() const { return std::span(blocks_).first(count_); }
 
-    /// Whether the piece needs no clipping: it lies between the near and the far plane, in the
+    /// Whether the piece needs no clipping. Then it lies between the near and the far plane, in the
     /// guard band, and wholly on the kept side of a section.
     bool whole() const { return whole_; }
 

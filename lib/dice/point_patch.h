@@ -11,8 +11,8 @@
 #include <cstdint>
 #include <optional>
 
-/// Where a patch is drawn as a point: the only pixel centre that the patch can cover, since its
-/// hull is no wider than the tolerance.
+/// Where a patch is drawn as a point. It is the only pixel centre that the patch can cover, since
+/// its hull is no wider than the tolerance.
 struct l3d_point_place {
     std::int32_t x = 0, y = 0; ///< place of the centre, in 1/256 pixel from the picture's corner
     double bound = 0;          ///< largest distance of the patch from the drawn point, in pixels

@@ -35,9 +35,9 @@ bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 
-/// How much a net bends, as seen from the eye: its largest second differences of control points
-/// along u and along v, and its largest mixed ones. Where depth is kept, a length along the line of
-/// sight counts like one across it.
+/// How much a net bends, as seen from the eye. These are its largest second differences of control
+/// points along u and along v, and its largest mixed ones. Where depth is kept, a length along the
+/// line of sight counts like one across it.
 struct l3d_net_bends {
     double uu = 0, vv = 0, uv = 0, least_w = 0;
 };

@@ -275,8 +275,8 @@ void l3d_trim_cells::note_whole_quads(const l3d_grid_trims& by) {
 
 /// Keeps the parts of the piece's border that lie beside the region.
 void l3d_trim_cells::cut_border(const l3d_grid_trims& by) {
-    constexpr std::size_t sides[] = {0, 3, 1,
-                                     2}; // of kept(), for a quad's sides v = 0, u = 1, v = 1, u = 0
+    constexpr std::size_t sides[] = {
+        0, 3, 1, 2}; // indices into kept() for a quad's sides v = 0, u = 1, v = 1, u = 0
     for (std::size_t i = 0; i < border_.size(); ++i) {
         const l3d_border_edge& edge = border_[i];
         const auto [begin, end] = border_along_[i];

@@ -16,9 +16,8 @@ namespace {
 /// the bound of places.
 constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
-/// If a pixel's level is known to within this, the pixel is not cut further. The level of a cell
-/// need not be known so well, in proportion to 1 / its width, since the cell is a small part of its
-/// pixel.
+/// If a pixel's level is known to within this, the pixel is not cut further. A cell is a small part
+/// of its pixel, so its own level may be off by more, in proportion to 1 / its width.
 constexpr double fine_levels = 1;
 
 /// From cells of 2^-3 pixel on, cutting is costly: a pixel is cut further only if its level is

@@ -85,8 +85,8 @@ public:
         return static_cast<std::size_t>(std::upper_bound(first, first + size_ - 1, t) - first) - 1;
     }
 
-    /// Certified error of the visible segments in the picture, in two parts: the error of chords
-    /// between exact points, and the error of the points themselves. Units: pixels.
+    /// The certified error of the visible segments in the picture, in two parts. One is the error
+    /// of chords between exact points, the other that of the points themselves. Units: pixels.
     double chord_error() const { return chord_error_; }
     double vertex_error() const { return vertex_error_; }
     double bound() const { return chord_error_ + vertex_error_; }

@@ -81,10 +81,10 @@ bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place&
     return true;
 }
 
-/// Whether a triangle certainly covers no pixel's centre. Either its box holds no centre, or its
-/// corners lie on one line, or none of the centres of its box lies in it or on its sides. Without
-/// `by_centres`, the last is tested only if the box has a single centre. Nearly all triangles of
-/// slits cover nothing.
+/// Whether a triangle certainly covers no pixel's centre. That is known if its box holds no centre
+/// or its corners lie on one line. Else it is known if no centre of its box lies in it or on its
+/// sides. Without `by_centres`, that is tested only if the box has a single centre. Nearly all
+/// triangles of slits cover nothing.
 inline bool covers_nothing(const slit_place& p, const slit_place& q, const slit_place& r,
                            bool by_centres) {
     const auto along_x = centres_between(p.x, q.x, r.x);
@@ -261,8 +261,8 @@ private:
     }
 
     /// The sign of the light beside vertex i of the row. It turns light to the side that the
-    /// neighbouring quad shows: the one that begins at the vertex, or the one that ends at the last
-    /// vertex. The turn of a slit's own triangle is chance.
+    /// neighbouring quad shows. That quad begins at the vertex, or ends there at the last vertex.
+    /// The turn of a slit's own triangle is chance.
     float side_beside(std::size_t i) const {
         const int quad = static_cast<int>(std::min(i, parameters_.size() - 2));
         return along_u_ ? l3d_side_of_quad(grid_, side_ == 1 ? grid_.rows - 2 : 0, quad, side_)

@@ -23,8 +23,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, points>;
 
-/// Bounds what the rounding of floats adds to the norm of a second or mixed difference d in the
-/// image, |d (x, y) - X0 d w| + r |d w|.
+/// Bounds what the rounding of floats adds to the norm of a second or mixed difference d. In the
+/// image, that norm is |d (x, y) - X0 d w| + r |d w|.
 /// Units: the largest w times the reach of the centred box.
 ///
 /// The net is rounded, then summed up twice from four products: 9 roundings of 2^-24, of numbers up
@@ -43,8 +43,8 @@ constexpr float mixed_rounding = 64 * 0x1p-24F;
 /// The same bound for second and mixed differences of w alone.
 constexpr float depth_rounding = 40 * 0x1p-24F;
 
-/// Bounds the rounding of a projected point, relative to the reach of the centred box: 9 roundings
-/// in x and in w, and two of the quotient.
+/// Bounds the rounding of a projected point, relative to the reach of the centred box. There are 9
+/// roundings in x and in w, and two of the quotient.
 constexpr float projected_rounding = 20 * 0x1p-24F;
 
 bool section_leaves(const double* net, const l3d_image_section& cut) {

@@ -19,8 +19,8 @@
 /// outlines when all is drawn (NUMERICS, section 9, Outlines).
 ///
 /// Lives: borrows the scene from begin to finish.
-/// Cost:  36 bytes a pixel; drawing everything once more on one thread; l3d_outline_search of all
-///        patches of the scene, also of those that cover no pixel.
+/// Cost:  36 bytes a pixel. All is drawn once more, on one thread. l3d_outline_search looks at all
+///        patches of the scene, also at those that cover no pixel.
 class l3d_frame_outlines {
 public:
     /// Starts a frame.
