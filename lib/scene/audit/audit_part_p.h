@@ -59,8 +59,8 @@ private:
     std::array<double, 3> uv_by_v_{}, uv_by_u_{};
 };
 
-/// A rectangle of a patch that trims leave whole; or the part of a trimmed patch near its border,
-/// which has no rectangle.
+/// A part of a patch that is searched at once. It is a rectangle that trims leave whole, or the
+/// rest of a trimmed patch near its border. The rest has no rectangle of its own.
 struct patch_sheet {
     const bent_patch* patch;
     std::uint32_t index; ///< the number of the patch
