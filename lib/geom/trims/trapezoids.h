@@ -12,7 +12,7 @@
 /// A trapezoid of a region, between two lines of equal v.
 ///
 /// Shape: `low` and `high` are the values of u of the points on its lower and its upper side, in
-///        rising order, at least one on each. `left` and `right` name the edges that these sides
+///        rising order. Each has at least one. `left` and `right` name the edges that these sides
 ///        follow, upwards.
 struct l3d_trapezoid {
     double low_v = 0, high_v = 0;

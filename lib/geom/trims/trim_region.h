@@ -43,8 +43,8 @@ struct l3d_trim_box {
     l3d_trim_place least{0, 0}, most{1, 1};
 };
 
-/// The region of a plane of parameters that polygons enclose, by the odd rule: a place is inside if
-/// an odd number of polygons wind around it an odd number of times.
+/// The region of a plane of parameters that polygons enclose, by the odd rule. A place is inside if
+/// an odd number of polygons wind around it an odd number of times each.
 struct l3d_trim_region {
     std::vector<l3d_trim_polygon> polygons;
 
@@ -119,7 +119,7 @@ std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
 /// others end.
 std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops);
 
-/// Turns loops of a surface that is closed along u, v or both into closed loops of the plane, which
+/// Turns loops of a surface that is closed along u, v or both into closed loops of the plane. These
 /// leave the same places of the box. A curve may end at one side of the box where the next begins
 /// at the other. Curves may go on beyond the box.
 ///

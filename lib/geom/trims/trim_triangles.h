@@ -64,8 +64,8 @@ private:
         bool is_wide_below() const { return low[0] != low[1]; }
         bool is_wide_above() const { return high[0] != high[1]; }
     };
-    /// A corner of a stack of layers, and its indices in the left and the right border; `none` in a
-    /// border on which it does not lie.
+    /// A corner of a stack of layers, and its indices in the left and the right border. An index is
+    /// `none` in a border on which the corner does not lie.
     struct chain_corner {
         l3d_trim_place at;
         std::array<std::size_t, 2> place;

@@ -53,8 +53,8 @@ struct cell {
     double error, allowed; ///< errors of places
 };
 
-/// Bounds the length in space of a unit of the piece's u and of its v, from its cells: 3
-/// differences of control points for each of the cells' own units.
+/// Bounds the length in space of a unit of the piece's u and of its v, from its cells. In a cell's
+/// own units, 3 differences of control points are a bound.
 l3d_trim_place lengths_of(std::span<const cell> cells) {
     l3d_trim_place result{0, 0};
     for (const cell& one : cells)
