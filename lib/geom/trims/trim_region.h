@@ -43,8 +43,9 @@ struct l3d_trim_box {
     l3d_trim_place least{0, 0}, most{1, 1};
 };
 
-/// The region of a plane of parameters that polygons enclose, by the odd rule. A place is inside if
-/// an odd number of polygons wind around it an odd number of times each.
+/// A region in the plane of parameters, bounded by polygons. The odd rule says what is inside:
+/// count the polygons that wind around a place an odd number of times. If their number is odd, the
+/// place is inside.
 struct l3d_trim_region {
     std::vector<l3d_trim_polygon> polygons;
 

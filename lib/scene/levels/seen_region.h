@@ -46,8 +46,8 @@ public:
 private:
     /// A linear function of a place: the factors of x, y, z and 1.
     using sum = std::array<double, 4>;
-    std::array<sum, 4> sides_{}; ///< one for each side: not negative inside
-    sum depth_{};                ///< not larger than the depth of a place inside
+    std::array<sum, 4> sides_{}; ///< one for each side, not negative in the region
+    sum depth_{};                ///< nowhere larger than the depth of a place in the region
 };
 
 #endif
