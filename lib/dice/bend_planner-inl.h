@@ -78,8 +78,8 @@ public:
     }
 
     /// Bounds the errors of depth in slits along the piece's sides, where chords are not balanced.
-    /// `along_side` is 1 in blocks at which a chord along d lies at a side, else 0. `at_side` says
-    /// the same of chords along the other direction.
+    /// A chord counts only in blocks in which it lies at a side. So `along_side` is 1 there for
+    /// chords along d, and 0 elsewhere; `at_side` is the same for chords along the other direction.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane,
                                     const strip_numbers& s, lane_vec along_side,
                                     lane_vec at_side) const {

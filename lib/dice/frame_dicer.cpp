@@ -209,7 +209,7 @@ template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int6
     });
 }
 
-/// Dices patches again whose share was too small, with the rest of the budget.
+/// Shares the rest of the budget among patches whose share was too small, and dices these again.
 template <class T>
 void l3d_frame_dicer<T>::dice_short_ones(const task& of, std::int64_t allowance,
                                          std::int64_t share) {

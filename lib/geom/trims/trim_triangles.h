@@ -44,7 +44,7 @@ public:
     std::span<const border_side> followed() const { return followed_; }
 
 private:
-    /// A low or high side of a trapezoid that lies within the box.
+    /// A trapezoid's low or high side, if that side lies within the box and not on its border.
     struct level_side {
         double v, from, to;
         bool is_high;
