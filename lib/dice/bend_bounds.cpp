@@ -16,16 +16,17 @@ namespace {
 
 constexpr double per_cosine = double{l3d_level_of_cosine};
 
-/// Error of grey levels besides interpolation: rounding to a whole level, and float arithmetic. Its
-/// numbers are up to 2^8, and some 20 roundings of 2^-24 count as often as terms cancel.
+/// Bounds the error of grey levels that interpolation does not make: rounding to a whole level, and
+/// float arithmetic. Its numbers are up to 2^8, and some 20 roundings of 2^-24 count as often as
+/// terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// Bounds of |S_uuuv| and |S_uvvv| in the parameters of a piece's blocks: 18 times fourth
-/// differences of its control net.
+/// Bounds |S_uuuv| and |S_uvvv| by the parameters of a piece's blocks: 18 times fourth differences
+/// of its control net.
 struct mixed_thirds {
     double uuuv = 0, uvvv = 0;
 
-    /// Units: `unit` is the length that w = 1 stands for; x and y carry the factor `focal`, too.
+    /// Units: `unit` is the length for which w = 1 stands; x and y are `focal` times as large.
     mixed_thirds(const std::array<l3d_image_point, 16>& p, int strips, double unit, double focal) {
         const auto third = [&](std::size_t line, bool turned) {
             const std::size_t first = turned ? line : 4 * line, step = turned ? 4 : 1;
@@ -43,11 +44,10 @@ struct mixed_thirds {
     }
 };
 
-/// Where shades come from normals, blocks whose normals may err by more than this count as
-/// unproven.
+/// If pixels interpolate normals, blocks whose normals may err by more than this count as unproven.
 constexpr double most_normal = 1.0 / 64;
 
-/// Whether pixels interpolate the normals of vertices, rather than levels.
+/// Whether pixels interpolate the normals of vertices, not their levels.
 bool takes_normals(const l3d_dice_view& view) {
     return !view.makes_levels() && view.shading.mode != l3d_shade::error;
 }
@@ -72,14 +72,14 @@ l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
     return result;
 }
 
-/// Error of levels that are interpolated linearly over the two triangles of a quad.
+/// Bounds the error of levels that are interpolated linearly over the two triangles of a quad.
 double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
 }
 
-/// Error of normals interpolated between corners, linearly over triangles or bilinearly over a
-/// quad. Clipping normalizes interpolated normals at each of seven planes. That adds at most the
-/// square of the angle between corners' normals (NUMERICS, section 24).
+/// Bounds the error of normals that are interpolated between corners: linearly over triangles, or
+/// bilinearly over a quad. Clipping normalizes interpolated normals at each of seven planes. That
+/// adds at most the square of the angle between corners' normals (NUMERICS, section 24).
 double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bool clipped) {
     const double off = levels_off_linear(b, h_u, h_v) / per_cosine;
     const double apart = h_u * b.turn_u + h_v * b.turn_v;
@@ -88,14 +88,14 @@ double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bo
     return apart <= 1 ? off + apart * apart : std::numeric_limits<double>::infinity();
 }
 
-/// Error of levels in the slit along a side whose steps are h. Its triangles extend at most `bent`
-/// where levels bend, and `straight` where they are linear.
+/// Bounds the error of levels in the slit along a side whose steps are h. Its triangles reach at
+/// most `bent` along the side where levels bend, and `straight` where they are linear.
 /// Units: parameters of the block.
 ///
-/// A triangle of the slit has levels of the grid's row at its corners and at the middles of its
+/// A triangle of the slit takes levels of the grid's row at its corners and at the middles of its
 /// sides. All six depend on one parameter. So the parabola through them errs as a parabola along a
-/// line. The row's own error counts 5/3 times, the most that the sizes of six weights add up to. A
-/// plane's weights are positive.
+/// line. The row's own error counts 5/3 times, the most to which the sizes of six weights add up. A
+/// plane's weights are positive, so there it counts once.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_six = 5.0 / 3;
     if (std::isinf(bent + straight)) // it reaches beyond the row's end
@@ -109,8 +109,9 @@ double levels_off_slit(double h, double bent, double straight, double n_2, doubl
     return off;
 }
 
-/// Error of normals interpolated linearly over a slit's triangles. Triangle corners between the
-/// row's vertices have the error of the row's chords, and as much again for normalizing.
+/// Bounds the error of normals that are interpolated linearly over a slit's triangles. Corners
+/// between the row's vertices have the error of the row's chords, and as much again for
+/// normalizing.
 double normals_off_slit(double h, double longest, double n_2, double turn) {
     if (std::isinf(longest)) // it reaches beyond the row's end
         return longest;
@@ -120,8 +121,9 @@ double normals_off_slit(double h, double longest, double n_2, double turn) {
 
 } // namespace
 
-/// Blocks without bounded normals take whole second differences as bends along the normal. Their
-/// quads' distance from planes is measured once vertices exist (l3d_most_off_plane).
+/// Gives blocks without bounded normals numbers that hold anyway: whole second differences, as
+/// bends along the normal. Once vertices exist, l3d_most_off_plane measures how far their quads are
+/// off planes.
 void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_piece& of) const {
     unsigned without = 0;
     const auto count = static_cast<std::size_t>(strips * strips);
@@ -157,8 +159,8 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
     }
 }
 
-/// The bends of a piece's blocks. A piece is made by halving the patch. So each of its blocks lies
-/// in one of the patch's blocks or consists of several, and all factors are powers of two.
+/// Finds the bends of a piece's blocks. A piece is made by halving the patch. So each of its blocks
+/// lies in one of the patch's blocks or consists of several, and all factors are powers of two.
 auto l3d_bend_bounds::of_blocks(const l3d_patch_part& piece, int strips) const -> of_piece {
     of_piece result;
     const bool is_whole = piece.u1 - piece.u0 == 1 && piece.v1 - piece.v0 == 1;
@@ -194,8 +196,8 @@ void l3d_bend_bounds::take_block(const l3d_patch_part& piece, int strips, std::s
     const std::size_t at = static_cast<std::size_t>(strips) * row + column;
     const double size_u = (piece.u1 - piece.u0) / strips, size_v = (piece.v1 - piece.v0) / strips;
     const auto blocks_of = [](double low, double size, std::size_t i) {
-        // Blocks end at multiples of powers of two: points a little inside are in the right block
-        // despite rounding.
+        // Blocks end at multiples of powers of two. So points a little inside are in the right
+        // block despite rounding.
         const double from = low + size * (static_cast<double>(i) + 0x1p-10);
         const double end = low + size * (static_cast<double>(i + 1) - 0x1p-10);
         return std::array{static_cast<std::size_t>(across * from),
@@ -226,8 +228,8 @@ void l3d_bend_bounds::ask(const l3d_patch_part& piece, const l3d_dice_view& view
     const double levels = std::max(view.shade_tolerance - rounded_level - l3d_most_level_error,
                                    view.shade_tolerance / 4);
     const double more_steps = std::cbrt(1 / levels);
-    // Least steps give sides of l3d_largest_quad pixels. Raised by at most this ratio, they give
-    // sides of finest_quad pixels.
+    // The least steps give sides of l3d_largest_quad pixels. Multiplied by at most this ratio, they
+    // give sides of finest_quad pixels.
     constexpr double finest_quad = 6;
     constexpr double most_steps = l3d_largest_quad / finest_quad;
     const bool keeps_shade = !takes_normals(view);
@@ -237,7 +239,7 @@ void l3d_bend_bounds::ask(const l3d_patch_part& piece, const l3d_dice_view& view
     needs.keeps_bends = true;
     std::array<double, l3d_block_needs::most_blocks> scale{};
     // Blocks without normals are measured after dicing. Half of the snapping error stays free for
-    // them: most of their quads are flat but for snapping.
+    // them, since most of their quads are flat except for snapping.
     const double less = std::max(depth_budget - l3d_snap_error<double>(0) / 2, depth_budget / 2);
     for (std::size_t i = 0; i < count; ++i)
         if (is_seen(needs, i)) {
@@ -348,7 +350,7 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
         return vector{(grid.x[i] - view.centre_x()) * pixel, (grid.y[i] - view.centre_y()) * pixel,
                       w};
     };
-    // The two vertices of a column on the rows of a quad; the next column has the quad's other two.
+    // The two vertices of a column on the rows of a quad. The next column has the quad's other two.
     using side = std::array<vector, 2>;
     const auto off_plane = [&](const side& left, const side& right) {
         const vector normal = l3d_cross(right[1] - left[0], left[1] - right[0]);
@@ -379,8 +381,9 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
     return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }
 
-/// Asks for more steps where quads are too far from planes. The bounded and the measured error fall
-/// with the square of the steps. The error of snapping does not, and may exceed the budget.
+/// Asks for more steps where quads are too far from planes. More steps help: both the bounded and
+/// the measured error fall with their square. The error of snapping does not fall, and may exceed
+/// the budget.
 bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                         const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs) {
     if (needs.without_normals == 0)

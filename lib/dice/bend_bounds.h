@@ -11,38 +11,41 @@
 #include "scene/bends/surface_bends.h"
 #include "raster/surface_part.h"
 
-/// Chooses steps for depth and shade by the bends of a patch along its normals, and bounds the
-/// errors that remain.
+/// Chooses steps that keep depth and shade within their tolerances, and bounds the errors that
+/// remain.
 ///
-/// A quad is drawn with the depth of a plane in space through the mean of its corners. Its error
-/// along the exact normal has two parts: the bend along each direction, as for places, and a
-/// quarter of the corners' distance from one plane. A quad's level is a parabola with the levels of
-/// its corners and of the middles of its sides. Its error comes from third derivatives. NUMERICS,
-/// sections 3 and 14. Lives: borrows the bends.
+/// Both follow from how a patch bends along its normals. A quad is drawn with the depth of one
+/// plane in space, through the mean of its corners. Two errors add up along the exact normal. One
+/// is the bend along each direction, as for places. The other is a quarter of the corners' distance
+/// from a common plane. The level within a quad is a parabola through the levels of its corners and
+/// of the middles of its sides. Third derivatives bound its error.
+/// Source: NUMERICS, sections 3 and 14.
+/// Lives:  borrows the bends.
 class l3d_bend_bounds {
 public:
-    /// Makes bounds without bends, which need no finer steps and prove nothing.
+    /// Makes an object without bends: it asks for no finer steps and proves nothing.
     l3d_bend_bounds() = default;
 
-    /// Units:   w_per_length: factor from a length of the model to scaled w; focal:
-    ///          l3d_dice_view::focal.
-    /// Expects: the bends are those of the placed patch, but for the scale.
+    /// Takes the bends of a patch that is placed in a view.
+    /// Units:   `w_per_length` is the scaled w of a length of 1 in the model; `focal` is that of
+    ///          l3d_dice_view.
+    /// Expects: the bends belong to the placed patch; only the scale may differ.
     l3d_bend_bounds(const l3d_surface_bends& bends, double w_per_length, double focal)
         : bends_(&bends), w_per_length_(w_per_length), focal_(focal) {}
 
     explicit operator bool() const { return bends_ != nullptr; }
 
-    /// Raises a piece's needs so that depth keeps `depth_budget`, and the shade keeps the view's
-    /// tolerance unless quads would be smaller than six pixels.
+    /// Raises a piece's needs so that its depth keeps `depth_budget` and its shade keeps the view's
+    /// tolerance. The shade gives way where quads would become smaller than six pixels.
     ///
-    /// Units:   the budget in pixels.
+    /// Units:   the budget is in pixels.
     /// Expects: `needs` are those of the piece's blocks for places alone.
     void ask(const l3d_patch_part& piece, const l3d_dice_view& view, double depth_budget,
              l3d_block_needs& needs) const;
 
-    /// Error bounds that remain with the chosen steps. In clipped pieces, levels are linear over
-    /// triangles.
-    /// Expects: the arguments that ask() had, and the plan made from its needs; the slits are those
+    /// Bounds the errors that remain with the chosen steps. `clipped` says that the piece was
+    /// clipped, so that its levels are linear over triangles.
+    /// Expects: the arguments that ask() had; the plan that was made from its needs; the slits
     ///          along the piece's sides.
     l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
                                         double depth_budget, const l3d_block_needs& needs,
@@ -50,8 +53,8 @@ public:
                                         bool clipped) const;
 
 private:
-    /// The bends and steps of a piece's blocks, by their own parameters. Others than those have no
-    /// numbers.
+    /// The bends and the wanted steps of a piece's blocks, by the blocks' own parameters. A piece
+    /// of one block uses the first lane; the others hold no valid numbers.
     struct of_piece {
         l3d_bend_numbers<l3d_surface_bends::lanes> bends;
         l3d_surface_bends::lanes steps_u, steps_v;
@@ -65,22 +68,22 @@ private:
     double w_per_length_ = 0, focal_ = 0;
 };
 
-/// The most that snapping moves corners off their planes, beyond the tolerance. Units: pixels.
+/// The distance by which snapped corners may be off a plane beyond the tolerance. Units: pixels.
 inline constexpr double l3d_snapped_planes = 0.001;
 
-/// The error of depth that comes on top of the vertices' own, in some blocks of a grid. It arises
-/// because a quad's corners do not lie on one plane.
+/// Measures the error of depth that arises because the corners of a quad do not lie on one plane.
+/// It adds to the error of the vertices. Only the given blocks of the grid are looked at.
 ///
-/// The vertices' error has an allowance for the rounding of a quad's centre. A flat quad does not
-/// need it. A folded quad does, but it is a fan of triangles, a quarter as far off. So the smaller
-/// of both parts is left out.
+/// The vertices' error already allows for rounding the centre of a folded quad. A flat quad has no
+/// such centre, so this allowance is subtracted. A folded quad has one, but it is drawn as a fan,
+/// which errs by a quarter as much. The larger of both results holds for every quad.
 /// Shape:   `blocks` as l3d_surface_certificate::without_normals.
-/// Units:   pixels at their depth.
+/// Units:   pixels at the depth of the quad.
 /// Expects: view.focal > 0.
 double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks, const l3d_dice_view& view);
 
-/// Asks for more steps in blocks without normals whose quads are farther off a plane than the
-/// budget of depth allows. Returns whether there are any.
+/// Raises the needs of blocks without normals if their quads are farther off a plane than the
+/// budget of depth allows. Returns whether it raised any.
 bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                         const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs);
 

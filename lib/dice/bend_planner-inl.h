@@ -16,26 +16,26 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The factor of h^3 times the third derivative in the error of a chord along the normal. It is the
-/// largest value of s (1 - s) ((1 - 2 s) / 6 + l3d_balance) over the chord. The bound holds if one
-/// end of the chord is moved, or both, or none.
+/// The factor of h^3 |N.S_uuu| in the error of a chord along the normal. It is the largest value of
+/// s (1 - s) ((1 - 2 s) / 6 + l3d_balance) over the chord. It holds whether balance moves one end
+/// of the chord, both or none.
 constexpr double of_moved_thirds = 0.0322;
 
-/// The factors by which a cubic's difference over a step h may differ from h times its derivative
-/// at a point of the step. They belong to h^2 times the second and h^3 times the third derivative.
-/// At a place s of the step they are (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6. Where ends are moved,
-/// they are l3d_balance more.
+/// A cubic's difference over a step h is h times the derivative at a place s of the step, plus two
+/// further terms. These factors bound the terms: the first is that of h^2 times the second
+/// derivative, the other that of h^3 times the third. They are the largest values of (1 - 2 s) / 2
+/// and ((1 - s)^3 + s^3) / 6. Moved ends add l3d_balance.
 constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
 constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 
-/// The factor of h_u^2 h_v^2 times the fourth derivative, two by each parameter. Chords contribute
-/// 1/64, moved chords 2 l3d_balance / 8, and both moved l3d_balance^2. The corners' mixed
+/// The factor of h_u^2 h_v^2 |S_uuvv| in the error of a quad. Chords contribute 1/64, moved chords
+/// 2 l3d_balance / 8, and chords moved in both directions l3d_balance^2. The corners' mixed
 /// difference counts a quarter.
 constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
                               of_difference_second * of_difference_second / 4;
 
-/// Bounds the errors of depth that chosen steps leave in each block, so that steps can be chosen.
-/// NUMERICS, section 3, Depth.
+/// Bounds the errors of depth that given steps leave in each block. The planner compares them with
+/// the budget while it chooses steps. NUMERICS, section 3, Depth.
 class bend_planner {
 public:
     explicit bend_planner(const l3d_block_needs& needs)
@@ -53,14 +53,15 @@ public:
         fourth_.take(of.uuvv, strips_);
     }
 
-    /// Largest second and third derivatives of each strip.
+    /// Finds the largest second and third derivative of each strip.
     HWY_INLINE void largest(direction d, double (&second)[most_strips],
                             double (&third)[most_strips]) const {
         largest_in_strips(second_[d], d, strips_, second);
         largest_in_strips(third_[d], d, strips_, third);
     }
 
-    /// The errors of depth in a strip's blocks, from `lane` on. Units: budgets of depth.
+    /// Bounds the errors of depth in a strip's blocks, from block `lane` on. Units: budgets of
+    /// depth.
     HWY_INLINE lane_vec errors(direction d, std::size_t strip, std::size_t lane,
                                const strip_numbers& s) const {
         const auto chords = hn::Add(chord(d, d, strip, lane, s.own_step, s.own_bend),
@@ -76,8 +77,9 @@ public:
         return hn::Add(hn::Add(chords, times(0.25, hn::Mul(both, twist))), fourths);
     }
 
-    /// Errors of depth in slits along the piece's sides, whose chords are not balanced.
-    /// `along_side` is the factor of chords along the strip, `at_side` that of chords across it.
+    /// Bounds the errors of depth in slits along the piece's sides, where chords are not balanced.
+    /// A chord counts only in blocks in which it lies at a side. So `along_side` is 1 there for
+    /// chords along d, and 0 elsewhere; `at_side` is the same for chords along the other direction.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane,
                                     const strip_numbers& s, lane_vec along_side,
                                     lane_vec at_side) const {
@@ -91,7 +93,8 @@ private:
         return hn::Mul(hn::Set(lane_tag(), factor), v);
     }
 
-    /// Error of chords over steps h along `which`; `bend` is the factor of second derivatives.
+    /// Bounds the error of chords over steps h along `which`. `bend` is the factor of second
+    /// derivatives.
     HWY_INLINE lane_vec chord(direction which, direction d, std::size_t strip, std::size_t lane,
                               lane_vec h, lane_vec bend) const {
         const lane_vec cube = hn::Mul(hn::Mul(h, h), h);
@@ -99,10 +102,10 @@ private:
                        times(of_moved_thirds, hn::Mul(cube, third_[which].in(d, strip, lane))));
     }
 
-    /// The part of the corners' mixed difference, divided by both steps, that comes from |S_uuuv|,
-    /// |S_uvvv| and higher derivatives. These are |S_uuuvv| <= 4 |S_uuuv|, |S_uuvvv| <= 4 |S_uvvv|
-    /// and |S_uuuvvv| <= 8 |S_uuuv| by the piece's parameters. Those run over a block `strips`
-    /// times as fast.
+    /// Bounds the last part of the corners' mixed difference, divided by both steps. It comes from
+    /// |S_uuuv|, |S_uvvv| and the fifth and sixth derivatives. By the piece's own parameters, these
+    /// are |S_uuuvv| <= 4 |S_uuuv|, |S_uuvvv| <= 4 |S_uvvv| and |S_uuuvvv| <= 8 |S_uuuv|. A block's
+    /// parameters run `strips` times as fast.
     HWY_INLINE lane_vec rest(direction d, std::size_t strip, std::size_t lane,
                              const strip_numbers& s) const {
         const lane_vec one = hn::Set(lane_tag(), 1.0);

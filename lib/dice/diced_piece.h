@@ -12,15 +12,16 @@
 #include <cstdint>
 #include <vector>
 
-/// A vertex with the patch parameters of the exact point that it stands for.
+/// A vertex, and the parameters of the exact surface point that it stands for.
 struct l3d_dice_vertex {
     l3d_micro_vertex vertex;
     double u = 0, v = 0;
 };
 
-/// The longest extents of a slit's triangles along the grid's sides. Edges have steps of their own,
-/// so an extent may be several of the grid's steps.
-/// Shape: along u, along v; the blocks along it.
+/// How far the longest triangle of a slit reaches along the grid's side, block by block. The bounds
+/// of shade need it: an edge has steps of its own, so a triangle may span several steps of the
+/// grid.
+/// Shape: [along u, along v][block of the side].
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
@@ -28,8 +29,8 @@ struct l3d_gap_spans {
     std::array<of_blocks, 2> straight{}; ///< for triangles whose levels are planes
 };
 
-/// How far something drawn may be from what it stands for.
-/// Units: pixels; those of depth are pixels at the place's own depth, in space.
+/// The distance of a drawn shape from what it stands for.
+/// Units: pixels; `depth` in pixels at the place's own depth, in space.
 struct l3d_drawn_distance {
     double places = 0, depth = 0;
 
@@ -39,28 +40,32 @@ struct l3d_drawn_distance {
     }
 };
 
-/// A grid and the triangles around it. Vertex (r, c) of the grid stands for the exact surface
-/// point at (u[c], v[r]). Corner k of triangle i stands for the point at triangle_uv[k][i].
+/// The result of dicing a piece: a grid and the triangles around it. Vertex (r, c) of the grid
+/// stands for the exact surface point at (u[c], v[r]). Corner k of triangle i stands for the point
+/// at triangle_uv[k][i].
 ///
-/// Lives: kept from frame to frame for its memory.
+/// Lives: one is reused from frame to frame for its memory.
 struct l3d_diced_piece {
     using parameters = l3d_patch_parameters;
 
     l3d_surface_part part;
     std::vector<double> u, v;
-    double bound = 0; ///< certified image error of the grid, in pixels; triangles have the frame's
-    l3d_drawn_distance strips; ///< how far its strips may be from their edges, where they are seen
+    double bound = 0; ///< certified error of places in the grid, in pixels; the frame's bound holds
+                      ///< for triangles
+    l3d_drawn_distance strips; ///< the largest distance of visible strips from their edges
     l3d_gap_spans slits;
     bool has_levels = false; ///< vertices have levels and bends (l3d_micro_vertex), not normals
 
-    /// Whether the parameters of vertices are kept, for measurements.
+    /// Whether triangle_uv and border_along are filled in; pictures on surfaces, inspections and
+    /// tests need them.
     bool keep_parameters = false;
     std::array<std::vector<parameters>, 3> triangle_uv;
-    /// Where the edges of the part's border begin and end, along their side of the grid. Pieces
-    /// without a grid do not note it.
+    /// The two ends of each edge of the part's border, as parameters along its side of the grid.
+    /// Pieces without a grid leave it empty.
     std::vector<std::array<double, 2>> border_along;
 
-    /// A place on a side of the piece where its region's border follows an edge.
+    /// A place on a side of the piece where the border of a trimmed region follows an edge of the
+    /// model. The slit beside it goes on from there.
     struct crossing {
         std::array<double, 2> at; ///< u, v
         std::uint32_t edge;
@@ -85,7 +90,8 @@ struct l3d_diced_piece {
             corner.clear();
     }
 
-    /// Notes in `of` that a slit has a triangle from parameter `low` to `high`, both of u or of v.
+    /// Notes in `of` that a slit has a triangle between the parameters `low` and `high`, both of u
+    /// or both of v.
     void add_span(std::array<l3d_gap_spans::of_blocks, 2>& of, bool along_u, double low,
                   double high) {
         const std::vector<double>& at = along_u ? u : v;

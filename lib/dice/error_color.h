@@ -6,10 +6,10 @@
 #include <algorithm>
 #include <cstdint>
 
-/// The pixel word that shows a certified error. It goes from green for no error, over yellow at
-/// half of the tolerance, to red at all of it and beyond.
+/// Makes the pixel word that shows a certified error in mode `error`. It is green for no error,
+/// yellow at half of the tolerance, and red at the whole tolerance and beyond.
 ///
-/// Units:   both in pixels, or in anything else.
+/// Units:   both arguments in the same unit, such as pixels.
 /// Expects: neither is NaN; the tolerance is positive and finite.
 inline std::uint32_t l3d_error_color(double bound, double tolerance) {
     const double part = std::clamp(bound / tolerance, 0.0, 1.0);

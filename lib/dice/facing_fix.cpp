@@ -33,7 +33,7 @@ constexpr std::size_t most_along =
 /// A vector of columns; rows of a grid have room for whole vectors.
 using floats = hn::CappedTag<float, 16>;
 
-/// The one side that all vertices of a grid show, 1 or -1; 0 if the grid shows both sides.
+/// Tells which side all vertices of a grid show, 1 or -1; 0 if the grid shows both sides.
 HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
     const floats d;
     const auto columns = static_cast<std::size_t>(grid.columns);
@@ -73,10 +73,11 @@ template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& 
     }
 }
 
-/// Returns the sign that turns a grid's normals or levels to the eye. It is 1 if the grid shows
-/// both sides, so that normals stay dS/du x dS/dv. Calls negate(vertex) for each border vertex that
-/// shows another side than its inner neighbour, if is_other(border_side) says that its normal is to
-/// blame.
+/// Returns the sign that turns a grid's normals or levels to the eye. The sign is 1 if the grid
+/// shows both sides, so that normals stay dS/du x dS/dv.
+///
+/// First corrects the border. It calls negate(vertex) for each border vertex that shows another
+/// side than its inner neighbour, if is_other(border_side) blames the vertex's normal.
 template <class IsOther, class Negate>
 HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& is_other,
                              const Negate& negate) {
@@ -94,8 +95,8 @@ HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& i
     return grid.shows_both ? 1 : side;
 }
 
-/// Calls visit(at, down) for each vector of vertices: the index of the first, and the offset of the
-/// next row, 0 in the last row.
+/// Calls visit(at, down) for each vector of vertices. `at` is the index of the first, and `down`
+/// the offset of the next row, 0 in the last row.
 template <class Visit>
 HWY_ATTR HWY_INLINE void for_vertices(const l3d_micro_grid& grid, const Visit& visit) {
     const auto pitch = static_cast<std::size_t>(grid.pitch);
@@ -128,8 +129,8 @@ HWY_ATTR void turn_normals(float* away, l3d_micro_grid& grid) {
 }
 
 /// Turns the levels of vertices and the bends of sides to the visible side of the surface. A bend
-/// is the level in a side's middle above the mean of its ends' levels. It is 0 where an end's level
-/// was negated, since the middle's is then unknown.
+/// says how far the level in a side's middle is above the mean of its ends' levels. It is 0 where
+/// an end's level was negated, since the middle's is unknown there.
 HWY_ATTR void turn_levels(float* away, float* level, l3d_micro_grid& grid) {
     const floats d;
     const auto is_other = [&](const border_side& of) {

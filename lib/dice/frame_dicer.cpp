@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_dicer: a slot for each patch, a work space for each worker.
+// l3d_frame_dicer: gives each patch of a batch a slot, and each worker a memory.
 #include "dice/frame_dicer.h"
 
 #include "dice/error_color.h"
@@ -24,19 +24,19 @@ l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
     return {v[0], v[1], v[2], 0.0};
 }
 
-/// The tolerance for which trimmed patches are diced: corners that trims make are snapped once
-/// more.
+/// The tolerance for which trimmed patches are diced. It is smaller, since the corners that trims
+/// make are snapped once more.
 double trimmed_tolerance(const l3d_dice_view& view) {
     return std::max(view.tolerance - l3d_trimmed_snap(view), view.tolerance / 2);
 }
 
-/// Whether a part of a net lies nearer than its near plane, but not than the camera's.
+/// Whether the net's own near plane cuts off a part of it that the camera's would leave.
 bool is_pushed_away(const l3d_image_net& net, const l3d_dice_view& view, double camera_near) {
     return view.near != camera_near && net.w().least < view.near && net.w().most > camera_near;
 }
 
-/// For each of a piece's blocks along u or v, the patch's block that holds it; the piece is a part
-/// of the patch by halves.
+/// For each of a piece's blocks along u or v, finds the patch's block that holds it. The piece is a
+/// part of the patch by halves.
 std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
     const double low = parameters.front(), size = parameters.back() - low;
     std::array<std::size_t, 4> result;
@@ -45,7 +45,7 @@ std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
     return result;
 }
 
-/// The piece's blocks that lie in blocks `backs` of its patch, counted, if it has any.
+/// Finds the piece's blocks that lie in the blocks `backs` of its patch, and counts them.
 unsigned counted_backs(const l3d_diced_piece& piece, unsigned backs, l3d_dice_counts& counts) {
     constexpr std::size_t across = l3d_block_starts::most_blocks;
     const l3d_surface_part& part = piece.part;
@@ -188,7 +188,7 @@ template <class T> void l3d_frame_dicer<T>::make_polylines(const task& of) {
     }
 }
 
-/// Makes room for what trims leave.
+/// Makes sure that each trimmed model of the batch has its l3d_kept_trims.
 template <class T> void l3d_frame_dicer<T>::prepare_trims(const task& of) {
     for (const l3d_placed_patch& p : of.batch) {
         const l3d_patch_model& model = of.scene.instances()[p.instance].model();
@@ -209,7 +209,7 @@ template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int6
     });
 }
 
-/// Shares the rest of the budget among patches whose share was too small.
+/// Shares the rest of the budget among patches whose share was too small, and dices these again.
 template <class T>
 void l3d_frame_dicer<T>::dice_short_ones(const task& of, std::int64_t allowance,
                                          std::int64_t share) {
@@ -249,7 +249,8 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
     space.view.edges = nullptr;
     space.view.edge_reach = 0;
     if (model.follows_edges(of.batch[i].patch)) {
-        // Its strips are beside those of its neighbours, whatever it covers itself.
+        // A patch at an edge is always diced: strips of its neighbours end at its own, even where
+        // the patch covers nothing.
         const instance_edges& edges = edges_[of.batch[i].instance];
         space.view.edges = &edges.lines;
         space.view.edge_reach = l3d_longest_shared_chord + edges.off_px;
@@ -267,7 +268,7 @@ void l3d_frame_dicer<T>::dice_slot(std::size_t i, const task& of, std::int64_t s
         piece.part.names_quads = false;
         if (inspects)
             put_parameters(piece);
-        // Nothing is known of its shades. Slits beside a block count as one quad.
+        // Nothing is known of the patch's shades. Slits beside a block count as one quad.
         if (!model.has_normal_error(of.batch[i].patch))
             unproven += std::int64_t{piece.part.grid.rows} * piece.part.grid.columns +
                         std::int64_t{4 * l3d_block_needs::most_blocks};
@@ -336,8 +337,9 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         dice_patch(net, normals, backs, slot(i), budget, space);
 }
 
-/// An edge has the errors of its own points, which are the same for all patches that share it. One
-/// that two smaller patches share consists of their two edges.
+/// Builds the edges of a patch. An edge has the errors of its own points, which are the same for
+/// all patches that share it. If two smaller patches lie beyond an edge, it consists of their two
+/// edges.
 template <class T>
 void l3d_frame_dicer<T>::build_edges(const l3d_patch_instance& instance,
                                      const l3d_matrix<double>& to_image, std::size_t patch,
@@ -354,7 +356,8 @@ void l3d_frame_dicer<T>::build_edges(const l3d_patch_instance& instance,
     for (std::size_t e = 0; e < shares.size(); ++e) {
         if ((halved >> e & 1) == 0)
             continue;
-        // In the model's space, as the smaller patches have them, whose rows are placed so.
+        // Halves the edge in the model's space, as the smaller patches have it, and places it as
+        // their rows are placed.
         const l3d_patch_model::patch& whole = model.patches()[patch];
         const auto [first, second] =
             (e < 2 ? whole.row(e == 0 ? 0 : 3) : whole.column(e == 2 ? 0 : 3)).split();
@@ -375,7 +378,7 @@ void l3d_frame_dicer<T>::build_edges(const l3d_patch_instance& instance,
     }
 }
 
-/// Prepares each worker for the largest sizes that any has met, since chance decides which worker
+/// Reserves for each worker as much memory as any worker needed, since chance decides which worker
 /// gets a patch.
 template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
     worker_space& first = each_worker_.front();
@@ -385,9 +388,10 @@ template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
         space.reserve_as(first);
 }
 
-/// The blocks of a patch that back-face culling leaves out, since only their back is turned to the
-/// eye. With one-sided surfaces, these are such blocks of any patch. Else they belong to a closed
-/// body wholly in front of the near plane, which no section opens: its front hides them.
+/// Finds the blocks of a patch that back-face culling leaves out, since only their backs are turned
+/// to the eye. With one-sided surfaces, it may leave out such blocks of any patch. Otherwise the
+/// patch must belong to a closed body that is wholly in front of the near plane and not opened by a
+/// section. The body's front hides its backs.
 template <class T>
 unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {
@@ -400,13 +404,14 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
                             l3d_least_w_of(model, to_image) - error_w > near;
     if (!is_outside && !view_.one_sided)
         return 0;
-    // A body's back, seen from outside, is its inside, whichever way its normals point.
+    // Seen from outside, a body's back is its inside, whichever way its normals point.
     const double side = is_outside ? model.orientation() : 1;
     const auto eye = l3d_eye_of(to_image);
     return eye ? model.facing(patch).away_from(*eye, side) : 0;
 }
 
-/// The blocks of a patch that are not known to turn one side alone to the eye.
+/// Finds the blocks of a patch that may fold over: they are not known to turn one side alone to the
+/// eye.
 template <class T>
 unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {
@@ -417,7 +422,8 @@ unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
     return l3d_facing_cones::all & ~(facing.away_from(*eye, 1) | facing.away_from(*eye, -1));
 }
 
-/// A patch is one grid, unless it is cut.
+/// Cuts a patch's pieces at its trims. A patch is one grid, unless it was cut into pieces, so
+/// mostly the kept trims of the model serve.
 template <class T>
 void l3d_frame_dicer<T>::trim(const l3d_patch_model& model, std::size_t patch, l3d_piece_pool& out,
                               bool keeps_parameters, worker_space& space) {

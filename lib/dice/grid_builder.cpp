@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_grid_builder: walking, evaluating, clipping.
+// l3d_grid_builder: walks grids, evaluates vertices, clips quads.
 #include "dice/grid_builder.h"
 
 #include "dice/edges/gap_filler.h"
@@ -14,7 +14,8 @@
 
 namespace {
 
-/// Calls visit(column, u-strip, local u) for each column; the last lies at the last strip's end.
+/// Calls visit(column, u-strip, local u) for each column. The last one lies at the end of the last
+/// strip.
 template <class Visit> void for_columns(const l3d_step_plan& plan, Visit visit) {
     std::size_t column = 0;
     for (int a = 0; a < plan.strips; ++a) {
@@ -25,7 +26,8 @@ template <class Visit> void for_columns(const l3d_step_plan& plan, Visit visit) 
     visit(column, static_cast<std::size_t>(plan.strips - 1), 1.0);
 }
 
-/// The column at `u` of a block as a curve in v; balanced, if it lies between the strip's ends.
+/// The column at `u` of a block as a curve in v. It is balanced if it lies between the strip's
+/// ends.
 l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, bool balanced) {
     l3d_image_curve column = block.curve_at_u(u);
     if (balanced && u > 0 && u < 1)
@@ -35,16 +37,16 @@ l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, boo
     return column;
 }
 
-/// The sign of a triangle's light. The triangle shows the side that all its corners show. If an
-/// outline passes through, its turn in the picture decides: to the right, it shows the side
-/// opposite to the normals.
+/// Tells the sign of a triangle's light. If all corners show one side, the triangle shows that
+/// side. If an outline passes through, the triangle's turn in the picture decides: to the right, it
+/// shows the side opposite to the normals.
 float side_of(const std::array<l3d_clip_vertex, 3>& v) {
     if (v[0].away == v[1].away && v[1].away == v[2].away)
         return v[0].away ? -1.0F : 1.0F;
     return l3d_dot(v[0].h, l3d_cross(v[1].h, v[2].h)) > 0 ? -1.0F : 1.0F;
 }
 
-/// Where a place of the patch is in a box.
+/// The coordinates of a place of the patch in a box, from 0 to 1.
 l3d_trim_place part_of(const l3d_trim_box& box, const l3d_trim_place& at) {
     return {(at[0] - box.least[0]) / (box.most[0] - box.least[0]),
             (at[1] - box.least[1]) / (box.most[1] - box.least[1])};
@@ -175,7 +177,7 @@ void l3d_grid_builder<T>::walk_rows(const l3d_piece_bounds<T>& nets, const l3d_s
     emit();
 }
 
-/// Evaluates every vertex by itself, since it may lie anywhere, even behind the eye.
+/// Evaluates every vertex by itself, since vertices may lie anywhere, even behind the eye.
 template <class T>
 void l3d_grid_builder<T>::evaluate_grid(const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
                                         const l3d_diced_piece& out) {
@@ -218,7 +220,7 @@ void l3d_grid_builder<T>::evaluate_grid(const l3d_piece_bounds<T>& nets, const l
     emit(1);
 }
 
-/// The evaluated vertices, as the grid of a piece that needs no clipping.
+/// Copies evaluated vertices into the grid of a piece that needs no clipping.
 template <class T> void l3d_grid_builder<T>::copy_evaluated(l3d_micro_grid& grid) const {
     for (int row = 0; row < rows_; ++row)
         for (int column = 0; column < columns_; ++column) {
@@ -233,7 +235,8 @@ template <class T> void l3d_grid_builder<T>::copy_evaluated(l3d_micro_grid& grid
         }
 }
 
-/// Puts corners to their canonical places, since pieces that share one walk it in other ways.
+/// Moves corners to their canonical places. Pieces that share a corner walk to it in different
+/// ways.
 template <class T>
 void l3d_grid_builder<T>::set_grid_corners(const piece& p, l3d_micro_grid& grid) const {
     for (const bool high_v : {false, true})
@@ -300,7 +303,8 @@ template <class T> void l3d_grid_builder<T>::add_clipped_quads(l3d_diced_piece& 
     l3d_for_trimmed_blocks(view_.trim->within(box_of(all)), out.u, out.v, all, take);
 }
 
-/// A place of a quad, interpolated before projection. Parameters are those of the patch.
+/// The vertex at a place of a quad, interpolated before projection. The place is in the patch's
+/// parameters.
 template <class T>
 l3d_clip_vertex l3d_grid_builder<T>::corner_at(const l3d_trim_block& quad, const l3d_trim_box& box,
                                                const l3d_trim_place& at) const {
@@ -348,7 +352,8 @@ void l3d_grid_builder<T>::add_trimmed(const l3d_trim_block& quad,
     l3d_clip_triangle(corners[0], corners[1], corners[2], view_, out);
 }
 
-/// Adds the strip beside a part of the border, with the light of the triangle beside it.
+/// Adds the strip between a part of the region's border and its edge. It gets the light of the
+/// triangle beside it.
 template <class T>
 void l3d_grid_builder<T>::add_strip(const l3d_trim_use& use,
                                     const std::array<l3d_clip_vertex, 2>& border,
@@ -383,7 +388,7 @@ void l3d_grid_builder<T>::add_clipped_block(const l3d_trim_block& of, l3d_diced_
         }
 }
 
-/// Draws one of the two triangles of a clipped piece's quad. The first one has its sides along low
+/// Gives one of the two triangles of a clipped piece's quad. The first one has its sides along low
 /// v and high u.
 template <class T>
 auto l3d_grid_builder<T>::half_of_quad(int row, int column, bool first) const -> corners_of_half {
@@ -401,14 +406,15 @@ l3d_clip_vertex l3d_grid_builder<T>::grid_vertex(const piece& p, const l3d_micro
     const double w = view_.w_at(v.dice.vertex.inv_w);
     v.h = {(v.dice.vertex.x - view_.centre_x()) * w / l3d_subpixel_one,
            (v.dice.vertex.y - view_.centre_y()) * w / l3d_subpixel_one, w};
-    // A clipped neighbour cuts the edges at a shared corner in the same place.
+    // The corner's exact place, since a clipped neighbour has to cut the edges there in the same
+    // place.
     if (row % (rows_ - 1) == 0 && column % (columns_ - 1) == 0)
         v.h = p.corner(column > 0, row > 0, view_).h;
     v.drawable = true;
     return v;
 }
 
-/// Fills the slit along one side of a grid given by its vertices.
+/// Fills the slit along one side of a grid, whose vertices `vertex_at` gives.
 template <class T>
 template <class VertexAt, class SideAt>
 void l3d_grid_builder<T>::fill_slit(const piece& p, std::size_t side, VertexAt vertex_at,
@@ -434,7 +440,7 @@ void l3d_grid_builder<T>::fill_slit(const piece& p, std::size_t side, VertexAt v
         if (k + 1 < parameters.size())
             point.side = along_u ? side_at(quad_beside, i) : side_at(i, quad_beside);
     }
-    // The border notes sides of a clipped piece, which has no grid.
+    // Only a clipped piece, which has no grid, notes its outer sides here.
     const bool is_border = out.part.grid.rows == 0 && along.edge < l3d_edge_polylines::sides;
     l3d_fill_gap(boundary_, (*edges_)[along.edge], view_, out, is_border);
 }

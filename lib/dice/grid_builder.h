@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_grid_builder: the vertices of a piece, and the slits along its sides.
+// l3d_grid_builder: makes the vertices of a piece, and fills the slits along its sides.
 #ifndef L3D_DICE_GRID_BUILDER_H
 #define L3D_DICE_GRID_BUILDER_H
 
@@ -17,32 +17,34 @@
 #include <array>
 #include <vector>
 
-/// Draws pieces with given steps. The dicer chooses what to draw, and how finely.
+/// Makes grids or triangles of pieces, with given steps. The dicer chooses the pieces and the
+/// steps.
 ///
-/// A piece that needs no clipping becomes a grid, its rows walked by forward differences; any
-/// other becomes clipped triangles. Along each side, triangles fill the slit to the side's edge.
+/// A piece that needs no clipping becomes a grid. Forward differences walk its rows. Any other
+/// piece becomes clipped triangles. Along each side, triangles fill the slit to the side's edge.
 /// Cost: no allocation once the largest piece has been seen.
 template <class T> class l3d_grid_builder {
 public:
     using piece = l3d_surface_piece;
 
-    /// Starts a patch with the data of all its pieces.
-    /// Lives: normals and edges must outlive its drawing.
+    /// Starts a patch, with the data that all its pieces share.
+    /// Lives: normals and edges must live until the patch is drawn.
     void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
                const l3d_edge_polylines& edges);
 
-    /// Draws a piece with its slits. Expects: the piece's sides name edges of those given to
-    /// begin().
+    /// Draws a piece and its slits.
+    /// Expects: the sides of the piece name edges of those given to begin().
     void draw(const piece& p, const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
               l3d_diced_piece& out);
 
-    /// Draws the rest of a piece that needs no clipping, after its grid: it moves the corners to
-    /// their common places, and fills the slits.
+    /// Completes a piece that needs no clipping, after its grid: it moves the corners to their
+    /// common places, and fills the slits.
     /// Expects: the grid's blocks, out.u and out.v are written.
     void close(const piece& p, l3d_diced_piece& out);
 
-    /// Fills the slits along the sides of a piece outside the window up to its corners: the piece
-    /// is not diced, but its slits may reach inside.
+    /// Fills the slits of a piece outside the window. The piece itself is not diced, but its slits
+    /// may reach into the window. In its slits, a straight row between two corners stands for each
+    /// side.
     void close_hidden(const piece& p, l3d_diced_piece& out);
 
     /// Reserves memory, so that pieces no larger than any of `other` allocate nothing.

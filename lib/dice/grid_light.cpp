@@ -21,8 +21,8 @@ float level_at(const l3d_shading& shading, const l3d_normal_net& normals, double
     return level_of(shading, l3d_unit_normal(normals.evaluate(u, v)).data());
 }
 
-/// Puts the levels of vertices into `level`, and those of the middles of sides along u and v in
-/// place of normals 1 and 2.
+/// Puts the levels of vertices into `level`. Puts the levels of the middles of sides along u and v
+/// in place of the normals' components 1 and 2.
 void put_levels(const l3d_shading& shading, const l3d_normal_net& normals, l3d_diced_piece& piece,
                 std::vector<float>& level) {
     l3d_micro_grid& grid = piece.part.grid;
@@ -51,7 +51,8 @@ void l3d_make_unit(float (&normal)[3]) {
 
 bool l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]) {
     const l3d_shading& shading = view.shading;
-    // The ray through h, times w. It is linear in h, so it is right behind the eye, too.
+    // The sum takes the ray through h, times w. That is linear in h, so it also holds behind the
+    // eye.
     double away = 0;
     for (std::size_t k = 0; k < 3; ++k) {
         const double right = double{shading.ray_right[k]}, down = double{shading.ray_down[k]};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The light of vertices, one after the other: normals turned to the eye, or levels.
+// Lights vertices one after the other: turns normals to the eye, or makes levels of them.
 #ifndef L3D_DICE_GRID_LIGHT_H
 #define L3D_DICE_GRID_LIGHT_H
 
@@ -10,20 +10,21 @@
 #include <array>
 #include <vector>
 
-/// Brings a normal to unit length; a zero normal stays.
+/// Brings a normal to unit length. A zero normal stays zero.
 void l3d_make_unit(float (&normal)[3]);
 
-/// Replaces a vertex's unit normal by its level without bends, if levels are wanted. Returns
-/// whether the normal points away from the eye, so that the result has to be negated.
+/// Lights a vertex: replaces its unit normal by its level, without bends, if the view makes levels.
+/// Returns whether the normal points away from the eye, so that the caller has to negate the
+/// result.
 ///
-/// Shape: h is the vertex before the division; it may be behind the eye.
+/// Shape: h is the homogeneous vertex, before the division; it may be behind the eye.
 bool l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]);
 
-/// Turns the normals of a piece's grid to the side that is seen, or replaces them by levels and
-/// bends that are evaluated one by one. The slow twin of l3d_detail::levels_in_lanes.
+/// Lights a piece's grid: turns its normals to the visible side, or replaces them by levels and
+/// bends, evaluated one by one. This is the slow twin of l3d_detail::levels_in_lanes.
 ///
 /// Expects: the grid's places, unit normals and parameters are there.
-/// Cost:    `memory` is kept from piece to piece.
+/// Cost:    none but memory that `memory` does not have yet; it is kept from piece to piece.
 void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
                     l3d_diced_piece& piece, std::array<std::vector<float>, 2>& memory);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_kept_trims: what trims leave of grids, for all instances of a model and for the next frame.
+// l3d_kept_trims: keeps the trimmed grids of a model, for all its instances and for the next frame.
 #ifndef L3D_DICE_KEPT_TRIMS_H
 #define L3D_DICE_KEPT_TRIMS_H
 
@@ -14,10 +14,10 @@
 #include <span>
 #include <vector>
 
-/// The quads of a model's patches that trims leave. Instances that dice a patch alike share them,
-/// and most grids have the same lines as in the frame before.
+/// Keeps which quads of a model's patches trims leave. Instances that dice a patch alike share the
+/// result. Most grids have the same lines as in the frame before, and their result is used again.
 ///
-/// Lives: a grid's quads live while each frame needs them. It keeps its model.
+/// Lives: a result lives as long as each frame asks for it. The object keeps its model alive.
 /// Cost:  no allocation for grids that the frame before had.
 class l3d_kept_trims {
 public:
@@ -27,7 +27,8 @@ public:
     /// Tells that this frame draws the model.
     void take_frame(std::uint64_t frame) { frame_ = frame; }
 
-    /// Finds or makes the trims of a grid of this patch with these lines. Threads may ask at once.
+    /// Returns what trims leave of a grid of this patch with these lines. Finds it, or makes it.
+    /// Several threads may ask at once.
     /// Lives: until forget_all_but() is called after a frame that does not ask for it.
     const l3d_grid_trims& of(std::size_t patch, std::span<const double> u,
                              std::span<const double> v, l3d_grid_trims::workshop& in) {
@@ -43,7 +44,8 @@ public:
         return (*one)->trims;
     }
 
-    /// Forgets the grids that this frame did not ask for. Returns whether it drew the model.
+    /// Forgets the grids that the given frame did not ask for. Returns whether that frame drew the
+    /// model.
     bool forget_all_but(std::uint64_t frame) {
         for (of_patch& all : patches_)
             std::erase_if(all.grids, [&](const auto& grid) { return grid->frame != frame; });
@@ -53,7 +55,7 @@ public:
 private:
     struct of_grid {
         l3d_grid_trims trims;
-        std::uint64_t frame = 0; ///< the last one that asked for it
+        std::uint64_t frame = 0; ///< the last frame that asked for it
     };
     struct of_patch {
         std::mutex mutex;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Clipping against near plane, far plane and guard band, in homogeneous coordinates.
+// Clips in homogeneous coordinates: by the near and the far plane, a section and the guard band.
 #include "dice/near_clip.h"
 
 #include "dice/grid_light.h"
@@ -13,11 +13,12 @@
 
 namespace {
 
-/// A clipped triangle: after seven planes it has at most ten corners. Rounding can make a needle
-/// turn back and forth across a plane. It covers nothing, so its excess corners are dropped.
+/// A clipped triangle. Each of seven planes adds at most one corner, so there are at most ten.
+/// Rounding can make a needle turn back and forth across a plane. It covers nothing, so its excess
+/// corners are dropped.
 struct polygon {
     std::array<l3d_clip_vertex, 10> corners;
-    std::array<bool, 10> is_cut{}; ///< whether the side from a corner to the next is a new border
+    std::array<bool, 10> is_cut{}; ///< whether a plane made the side from a corner to the next
     std::size_t count = 0;
 
     void add(const l3d_clip_vertex& v, bool cut) {
@@ -44,7 +45,8 @@ bool before(const l3d_image_point& a, const l3d_image_point& b) {
     return false;
 }
 
-/// The point where the edge from a to b crosses the plane, bit for bit the same as from b to a.
+/// Finds the point where the edge from a to b crosses the plane. It is the same, bit for bit, from
+/// b to a.
 l3d_clip_vertex crossing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const plane& cut,
                          const l3d_dice_view& view) {
     if (before(b.h, a.h))
@@ -99,7 +101,8 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     v.drawable = true;
 }
 
-/// Notes the sides of a polygon that are new borders. Its fan of triangles begins at index `first`.
+/// Notes the sides of a polygon that are new borders. The polygon's fan of triangles begins at
+/// index `first`.
 void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
     for (std::size_t i = 0; i < shape.count; ++i) {
         if (!shape.is_cut[i])
@@ -139,8 +142,8 @@ void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const
                        const l3d_dice_view& view, l3d_diced_piece& out) {
     if (a.drawable && b.drawable && c.drawable)
         return out.add_triangle(a.dice, b.dice, c.dice);
-    // Triangles within the near or far plane, or within a section's, are not drawn. Slits in such a
-    // plane would have long chords, as its edges are left out.
+    // Triangles wholly in or beyond the near plane, the far plane or a section are not drawn. Edges
+    // in such a plane are left out, so slits there would have long chords.
     const auto [nearest, farthest] = std::minmax({a.h[2], b.h[2], c.h[2]});
     if (farthest <= view.near || nearest >= view.far ||
         view.section.cuts_off(std::array{a.h, b.h, c.h}))

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Cuts triangles that reach behind the near plane or far beyond the window to the part that can be
-// drawn.
+// Clips triangles that reach behind the near plane or far beyond the window.
 #ifndef L3D_DICE_NEAR_CLIP_H
 #define L3D_DICE_NEAR_CLIP_H
 
@@ -15,25 +14,25 @@ struct l3d_clip_vertex {
     bool away = false; ///< the normal points away from the eye, for lighting
 };
 
-/// Whether a homogeneous point is between the near and the far plane, inside the guard band, and
-/// not cut off by a section.
+/// Whether a homogeneous point can be drawn. It must lie between the near and the far plane, inside
+/// the guard band, and on the kept side of a section.
 bool l3d_drawable(const l3d_image_point& h, const l3d_dice_view& view);
 
-/// Makes a vertex of a homogeneous point. Corners and points of edges become pixels by this
-/// function alone.
+/// Makes a vertex of a homogeneous point. Corners of pieces become pixels by this function alone,
+/// so neighbours get the same pixels.
 l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_view& view);
 
-/// Adds the part of triangle a b c that can be drawn, as triangles, to `out`.
+/// Adds the part of triangle a b c that can be drawn to `out`, as triangles.
 ///
-/// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q is a function of p
-/// and q alone, whatever their order. So triangles that share an edge still fit together.
-/// With anti-aliasing, the part's border notes the sides that lie in the near or the far plane or
-/// in that of a section, if the part has no grid.
+/// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q depends on p and q
+/// alone, whatever their order. So triangles that share an edge still fit together. With
+/// anti-aliasing, a part without a grid notes new sides as its border. These are the sides in the
+/// near plane, in the far plane and in that of a section.
 /// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
                        const l3d_dice_view& view, l3d_diced_piece& out);
 
-/// Cuts a straight line to the part of it that can be drawn; false if there is none.
+/// Clips a straight line to the part that can be drawn. Returns false if there is none.
 bool l3d_clip_segment(l3d_clip_vertex& a, l3d_clip_vertex& b, const l3d_dice_view& view);
 
 #endif

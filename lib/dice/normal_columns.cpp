@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_normal_columns: Bernstein to power form per column, Horner's scheme per row.
+// l3d_normal_columns: converts Bernstein to power form for each column, and uses Horner's scheme
+// for each row.
 #include "dice/normal_columns.h"
 
 #include <cmath>

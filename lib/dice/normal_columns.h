@@ -9,23 +9,24 @@
 #include <cstddef>
 #include <vector>
 
-/// A normal as unit vector; zero where the normal may be rounding alone.
+/// Makes a unit vector of a normal; zero where the normal may be rounding alone.
 ///
-/// Expects: a normal of a net (whose largest coefficient is 1), evaluated in double.
+/// Expects: a normal evaluated in double from a net whose largest coefficient is 1.
 std::array<float, 3> l3d_unit_normal(const l3d_normal_net::vector& normal);
 
-/// The normal polynomial of a patch at fixed u values, to be evaluated row by row.
+/// Evaluates a patch's normals row by row, at fixed values of u. Each column holds the normal
+/// polynomial at its u.
 ///
-/// Shape: one array per power and component, columns side by side.
+/// Shape: one array for each power of v and component, with the columns side by side.
 class l3d_normal_columns {
 public:
     /// Cost: allocates only when wider than ever before.
     void resize(std::size_t columns);
 
-    /// The number of columns that need no allocation.
+    /// The number of columns for which there is memory.
     std::size_t room() const { return powers_[0][0].size(); }
 
-    /// Sets column c to the normals at u.
+    /// Sets column c to the normals of `net` at u.
     void set(std::size_t c, const l3d_normal_net& net, double u);
 
     /// Writes the unit normals of all columns at v.

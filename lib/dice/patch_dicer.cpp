@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_dicer: chooses the pieces to cut, and the steps of all pieces.
+// l3d_patch_dicer: chooses which pieces to cut, and the steps of all pieces.
 #include "dice/patch_dicer.h"
 
 #include <algorithm>
@@ -8,10 +8,11 @@
 
 namespace {
 
-/// The most halvings after which parameters are exact in doubles, with room for strips' quarters.
+/// The most halvings of a piece. After so many, parameters are still exact in doubles, with room
+/// for strips' quarters.
 constexpr int deepest = 48;
 
-/// The most vertices of the pieces that still wait when no more are cut.
+/// The most vertices that are left for the pieces that still wait when no more are cut.
 constexpr std::int64_t most_left_samples = l3d_most_samples / 8;
 
 /// The number of vertices of a plan's grid.
@@ -28,15 +29,16 @@ std::int64_t cost_of(const l3d_step_plan& plan, bool in_lanes) {
     return samples_of(plan) * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
-/// The cost of a piece's coarsest grid, four strips of one step each way: 25 samples. It is
-/// reserved for each waiting piece.
+/// The cost of a piece's coarsest grid: 25 samples, for four strips of one step each way. So much
+/// is reserved for each waiting piece.
 constexpr std::int64_t least_cost = 25 * l3d_evaluated_cost;
 
 /// The factor by which a clipped piece's bounds grow if w of its chords errs by `error` instead of
-/// the planned near / 2. Where the interpolated w is near, the exact one is at least w = near -
-/// error, so errors are divided by this w. The transform's error of w is at most near / 32, and
-/// counts in w once more: (1/2 - 1/32) / (1/4 - 1/32) is less than 1.25 times 2. Below w = near / 4
-/// there is no bound.
+/// the planned near / 2.
+///
+/// Errors are divided by the exact w. Where the interpolated w is near, it is at least w = near -
+/// error. The transform's error of w is at most near / 32, and counts in w once more: (1/2 - 1/32)
+/// / (1/4 - 1/32) is less than 1.25 times 2. Below w = near / 4 there is no bound.
 double growth_by_depth(double error, double near) {
     const double w = near - error;
     if (w >= near / 2)
@@ -44,7 +46,7 @@ double growth_by_depth(double error, double near) {
     return w >= near / 4 ? 1.25 * near / (2 * w) : std::numeric_limits<double>::infinity();
 }
 
-/// Bound of the error of w that chords of the plan's triangles make.
+/// Bounds the error of w that the chords of a plan's triangles make.
 double depth_error(const l3d_image_patch& net, const l3d_step_plan& plan) {
     const auto strips = static_cast<std::size_t>(plan.strips);
     const auto least = [&](const auto& steps) {
@@ -85,7 +87,8 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     }
 }
 
-/// Whether a piece is to be cut, and the budget would still draw its halves and all waiting pieces.
+/// Whether one more piece has to be cut, and may be: the budget must still draw its halves and all
+/// waiting pieces.
 template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
     if (waiting_.empty() || waiting_.front().excess <= 1)
         return false;
@@ -94,14 +97,14 @@ template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
     return !of.budget.is_short;
 }
 
-/// Whether a grid of this plan may be drawn at once: the budget must still draw all waiting pieces.
+/// Whether a grid of this plan may be drawn at once. The budget must still draw all waiting pieces.
 template <class T>
 bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool in_lanes, const task& of) const {
     const std::int64_t kept = static_cast<std::int64_t>(waiting_.size()) * least_cost;
     return samples_of(plan) <= of.samples_left && cost_of(plan, in_lanes) <= of.budget.left - kept;
 }
 
-/// Puts a piece among the waiting ones. It is cut if its excess is above 1, else drawn last.
+/// Puts a piece among the waiting ones. It will be cut if its excess is above 1, else drawn last.
 template <class T>
 void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double excess) {
     waiting_.push_back({p, p.depth < deepest ? excess : 0, plan.most_u() >= plan.most_v()});
@@ -138,7 +141,8 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
     return result;
 }
 
-/// Leaves a piece out if it is outside, draws it if it fits, or lets it wait to be cut.
+/// Takes up a piece: leaves it out if it is outside, draws it if it fits, or lets it wait to be
+/// cut.
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     of.budget.left -= l3d_piece_cost;
     if ((!of.view.keep.outside || p.depth > 0) &&
@@ -154,7 +158,8 @@ template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
         wait(p, how.plan, how.excess);
 }
 
-/// Dices a piece in lanes, or lets it wait. False, with nothing done, if lanes cannot dice it.
+/// Dices a piece in lanes, or lets it wait. Returns false, with nothing done, if lanes cannot dice
+/// it.
 template <class T> bool l3d_patch_dicer<T>::take_in_lanes(const piece& p, task& of) {
     double edge_vertex = 0;
     for (const l3d_piece_side& side : p.sides)
@@ -198,8 +203,8 @@ void l3d_patch_dicer<T>::draw_coarsely(const piece& p, std::int64_t samples, std
         most /= 2;
     } while (most > 0 && (samples_of(how.plan) > samples || cost_of(how.plan, false) > cost));
     // Errors of unbalanced vertices fall at least with the square of the steps. So does the error
-    // of w, which magnifies vertex errors by 1 + ratio^2 / 8 + 1 / 8 instead of
-    // l3d_vertex_accuracy::in_front. That is at most 1.25 ratio^2.
+    // of w. It multiplies vertex errors by 1 + ratio^2 / 8 + 1 / 8 instead of
+    // l3d_vertex_accuracy::in_front, which is at most 1.25 ratio^2.
     if (ratio > 1) {
         if (how.plan.balanced)
             how.plan.chord_error /= 8 * l3d_balance;

@@ -18,40 +18,43 @@
 #include <limits>
 #include <vector>
 
-/// The most pieces of a patch: 2047 cuts, some of which go to parts outside the picture.
+/// The most pieces that a patch is cut into. They come from 2047 cuts; some are spent on parts
+/// outside the picture.
 inline constexpr std::size_t l3d_most_pieces = 2048;
 
-/// The most vertices of a patch, those of its edges not counted, and about the most quads. A patch
+/// The most vertices of a patch, without those of its edges; it has about as many quads. A patch
 /// that fills 16384 x 16384 pixels and bends by all of their width needs 2300^2 = 5 million at the
 /// finest tolerance. Dicing and drawing so many takes some 2 seconds and 700 MB.
 inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 
-/// The largest cost of dicing a patch. It tells afterwards whether the patch could have used more.
+/// The budget of a patch: the cost that dicing it may have. It tells afterwards whether the patch
+/// could have used more.
 ///
-/// Units: samples that are diced in lanes. A sample that is evaluated by itself costs
-///        l3d_evaluated_cost of them, and each piece l3d_piece_cost.
+/// Units: samples that are diced in lanes. A sample that is evaluated by itself costs as much as
+///        l3d_evaluated_cost of them, and each piece as much as l3d_piece_cost.
 struct l3d_dice_budget {
     std::int64_t left = std::numeric_limits<std::int64_t>::max() / 2;
     bool is_short = false; ///< whether the bound would be smaller with a larger budget
 };
 
-/// Costs in units of a sample that is diced in lanes, which takes some 20 ns, all in all. A sample
-/// that is evaluated by itself, lit, and clipped and filled as two triangles takes 0.3 us. The plan
-/// of a piece takes 5 us. Both are measured on spikes through the near plane.
+/// Costs in units of a sample that is diced in lanes. That takes some 20 ns in all. A sample that
+/// is evaluated by itself takes 0.3 us: it is lit, clipped and filled as two triangles. The plan of
+/// a piece takes 5 us. All were measured on spikes through the near plane.
 inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 
-/// Dices patches given as homogeneous image nets.
+/// Dices any patch, given as homogeneous image net. It cuts and clips where that is needed, and is
+/// the slow twin of the lane dicer.
 ///
 /// A patch starts as one piece. A piece is cut in two if it would need more than 32 steps a strip.
 /// It is also cut if it crosses the near plane and is not yet fine. The least fine piece is cut
 /// first. No patch is cut into more than l3d_most_pieces. If that is not enough, the rest is drawn
 /// as finely as the budget allows, and the bound tells the error.
 ///
-/// A piece's rows are walked by forward differences in T, restarted exactly at each strip. Along
-/// each side the piece fills the slit between its own boundary row and the side's edge polyline.
-/// Both neighbours compute that polyline alike. So pieces of any steps and any depth of cutting
-/// meet without a gap. Every vertex is an exact surface point of known parameters, which makes the
-/// bound certain.
+/// Forward differences in T walk a piece's rows, and each strip restarts exactly. Along each side,
+/// the piece fills the slit between its own boundary row and the side's edge polyline. Both
+/// neighbours compute that polyline alike. So pieces meet without a gap, whatever their steps and
+/// however often they were cut. Every vertex stands for an exact surface point of known parameters,
+/// which makes the bound certain.
 ///
 /// The cost of a patch is limited, too. Pieces are cut as long as the rest of the budget suffices
 /// for drawing all waiting ones. These then get equal shares of the rest.
@@ -60,10 +63,11 @@ inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 ///       l3d_most_pieces grids and l3d_most_samples vertices a patch.
 template <class T> class l3d_patch_dicer {
 public:
-    /// Adds the patch's pieces to `out`, and its work to `counts`.
+    /// Dices a patch: adds its pieces to `out` and its work to `counts`. With `lanes`, the lane
+    /// dicer takes all pieces that it can.
     ///
-    /// Expects: `edges` was built of this net and view, and has nothing more than its outer edges;
-    ///          tolerance > 0, near > 0. With `lanes`, the lane dicer takes all pieces that it can.
+    /// Expects: `edges` was built from this net and view, and has only its outer edges; tolerance >
+    ///          0, near > 0.
     void dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_edge_polylines& edges, l3d_piece_pool& out, l3d_dice_counts& counts,
               l3d_dice_budget& budget, l3d_lane_dicer<T>* lanes = nullptr,
@@ -85,7 +89,8 @@ public:
 private:
     using piece = l3d_surface_piece;
 
-    /// A piece, its steps, and the excess of their number over the allowed one.
+    /// A piece with its planned steps. `excess` is the largest number of steps over the allowed
+    /// one.
     struct planned {
         explicit planned(const l3d_piece_bounds<T>& of) : nets(of) {}
 
@@ -94,10 +99,11 @@ private:
         l3d_block_needs needs;
         double vertex_error = 0, row_error = 0, depth_error = 0, row_depth_error = 0;
         double depth_budget = 0, excess = 0;
-        double depth_growth = 1; ///< factor by which quotients by w grow, as w of chords is off
+        double depth_growth =
+            1; ///< factor by which bounds grow because w of chords errs more than planned
     };
 
-    /// A piece that is still too coarse.
+    /// A piece that waits to be cut, or to be drawn in the end.
     struct waiting {
         piece p;
         double excess = 0;
@@ -106,7 +112,7 @@ private:
         friend bool operator<(const waiting& a, const waiting& b) { return a.excess < b.excess; }
     };
 
-    /// The data that stay the same for a patch.
+    /// The patch that is being diced, and its budget.
     struct task {
         const l3d_dice_view& view;
         const l3d_normal_net& normals;

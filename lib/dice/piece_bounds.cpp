@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_piece_bounds: the nets of blocks, and the accuracy of vertices.
+// l3d_piece_bounds: makes the nets of blocks, and bounds the errors of vertices.
 #include "dice/piece_bounds.h"
 
 #include "geom/forward_difference.h"
@@ -11,7 +11,8 @@
 
 namespace {
 
-/// Largest size of a net's coordinates, and of their first, second and third differences along v.
+/// The largest sizes of a net's coordinates, and of their first, second and third differences along
+/// v.
 /// Shape: by the order of differences.
 struct magnitudes {
     std::array<double, 4> xy{}, w{};
@@ -31,8 +32,8 @@ struct magnitudes {
     }
 };
 
-/// Error of walking n steps in T along one of `strips` equal parts of [0, 1]. Registers hold `unit`
-/// times the coordinates. Differences of order k shrink by strips^k.
+/// Bounds the error of walking n steps in T along one of `strips` equal parts of [0, 1]. Registers
+/// hold `unit` times the coordinates. Differences of order k shrink by strips^k.
 template <class T>
 double walking_error(const std::array<double, 4>& size, double unit, int n, int strips) {
     const double s = strips, whole = l3d_balanced_reach * unit;
@@ -42,8 +43,9 @@ double walking_error(const std::array<double, 4>& size, double unit, int n, int 
            unit;
 }
 
-/// The power of two that brings w to at most 2^8 and, within the guard band, x and y to at most
-/// 2^22. Differences of third order may take eight times that, and 32.32 has 31 integer bits.
+/// The unit of fixed-point registers: a power of two. It brings w to at most 2^8 and, within the
+/// guard band, x and y to at most 2^22. Differences of third order may take eight times that, and
+/// 32.32 has 31 integer bits.
 /// Expects: 0 < largest_w < 2^200; the image transform's scale sees to it.
 template <class T> double register_unit(double largest_w) {
     if constexpr (l3d_is_fixed<T>)
@@ -86,7 +88,7 @@ l3d_piece_bounds<T>::l3d_piece_bounds(const l3d_image_net& piece, const l3d_dice
 
 template <class T>
 void l3d_piece_bounds<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d_dice_view& view) {
-    // The error of vertices that are evaluated one by one.
+    // First, the error of vertices that are evaluated one by one.
     const magnitudes size(net_);
     accuracy.error_xy = view.error_xy + l3d_evaluation_error(size.xy[0]);
     accuracy.error_w = view.error_w + l3d_evaluation_error(size.w[0]);
@@ -97,11 +99,11 @@ void l3d_piece_bounds<T>::bound_vertices(l3d_vertex_accuracy accuracy, const l3d
     const double w_ratio = whole_ ? l3d_vertex_accuracy::in_front : l3d_vertex_accuracy::crossing;
     vertex_error_ = accuracy.drawn_error(w_ratio);
     error_w_ = accuracy.error_w;
-    // Depths of a parallel projection are small differences of w, too small for most registers.
+    // The depths of a parallel projection are small differences of w, too small for most registers.
     if (!whole_ || view.is_parallel())
         return;
 
-    // The error of vertices that are walked by forward differences, if that is exact enough.
+    // Then, the error of vertices that are walked by forward differences, if that is exact enough.
     const int strips = count_ == 1 ? 1 : l3d_step_plan::most_strips;
     unit_ = register_unit<T>(size.w[0]);
     accuracy.error_xy += walking_error<T>(size.xy, unit_, l3d_most_steps_whole, strips);

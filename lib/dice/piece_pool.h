@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_piece_pool: the pieces diced so far.
+// l3d_piece_pool: hands out pieces, and keeps their memory.
 #ifndef L3D_DICE_PIECE_POOL_H
 #define L3D_DICE_PIECE_POOL_H
 
@@ -10,22 +10,22 @@
 #include <span>
 #include <vector>
 
-/// Pieces in the order in which they were diced, kept for their memory.
+/// Holds pieces in the order in which they were diced, and keeps their memory for the next ones.
 ///
 /// Shape: a pool begins a pair of cache lines, since other workers write to other pools.
-/// Cost:  allocates only when there are more, or larger ones, than ever before.
+/// Cost:  allocates only when there are more pieces than ever before, or larger ones.
 class alignas(128) l3d_piece_pool {
 public:
     l3d_piece_pool() = default;
 
-    /// A pool of pieces that keep the parameters of their triangles.
+    /// Makes a pool whose pieces keep the parameters of their triangles.
     static l3d_piece_pool with_parameters() {
         l3d_piece_pool result;
         result.keep_parameters_ = true;
         return result;
     }
 
-    /// Whether pieces from now on keep the parameters of their triangles.
+    /// Sets whether the pieces keep the parameters of their triangles from now on.
     void keep_parameters(bool keep) {
         if (keep_parameters_ == keep)
             return;
@@ -34,7 +34,7 @@ public:
             piece.keep_parameters = keep;
     }
 
-    /// An empty piece. Lives: until the next one is asked for.
+    /// Hands out an empty piece. Lives: until the next one is asked for.
     l3d_diced_piece& next() {
         if (used_ == pieces_.size())
             pieces_.emplace_back().keep_parameters = keep_parameters_;
@@ -43,7 +43,7 @@ public:
         return piece;
     }
 
-    /// Takes the last piece back, which must be unused.
+    /// Takes the last piece back. Expects: it is not used any more.
     void give_back() {
         assert(used_ > 0);
         --used_;

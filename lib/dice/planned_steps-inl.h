@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps while they are chosen, and numbers of blocks, with a strip's blocks in lanes.
+// The planner's tables: numbers of blocks and steps of strips, a strip's blocks in lanes.
 #if defined(L3D_DICE_PLANNED_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_DICE_PLANNED_STEPS_INL_H
 #undef L3D_DICE_PLANNED_STEPS_INL_H
@@ -26,14 +26,15 @@ using lane_tag = hn::CappedTag<double, most_strips>;
 using lane_vec = hn::Vec<lane_tag>;
 using lane_mask = hn::Mask<lane_tag>;
 
-/// The two directions of parameters, used as indices, too.
+/// The two directions of parameters. They serve as indices, too.
 enum direction : std::size_t { along_u, along_v };
 constexpr direction other(direction d) {
     return d == along_u ? along_v : along_u;
 }
 
-/// One number per block, in two orders: in `by[d]` the blocks of a strip of direction d lie side by
-/// side. A single strip has 0 in the lanes of those that are missing; their own lanes are not set.
+/// One number for each block, in two orders. In `by[d]`, the blocks of a strip of direction d lie
+/// side by side, so that one load reads them. A net of one block has 0 in the lanes of the missing
+/// blocks. Its missing strips are not set.
 struct block_numbers {
     alignas(64) double by[2][most_strips * most_strips];
 
@@ -54,18 +55,18 @@ struct block_numbers {
                     of[strips * b + a];
     }
 
-    /// The numbers of a strip's blocks, from `lane` on.
+    /// The numbers of a strip's blocks, from block `lane` on.
     HWY_INLINE lane_vec in(direction d, std::size_t strip, std::size_t lane) const {
         return hn::Load(lane_tag(), by[d] + most_strips * strip + lane);
     }
 };
 
-/// The larger numbers; NaN counts as smaller.
+/// The larger number of each lane. If b is NaN, the result is a.
 HWY_INLINE lane_vec larger(lane_vec a, lane_vec b) {
     return hn::IfThenElse(hn::Gt(b, a), b, a);
 }
 
-/// The largest number of each strip of direction d, in lanes.
+/// Finds the largest number of each strip of direction d, a strip a lane.
 HWY_INLINE void largest_in_strips(const block_numbers& of, direction d, std::size_t strips,
                                   double (&out)[most_strips]) {
     for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(lane_tag())) {
@@ -76,15 +77,16 @@ HWY_INLINE void largest_in_strips(const block_numbers& of, direction d, std::siz
     }
 }
 
-/// 1 for the strips at a piece's sides, 0 for others, where there are four strips.
+/// 1 for the strips at a piece's sides, 0 for those inside, if there are four strips.
 alignas(64) constexpr double at_ends[most_strips] = {1, 0, 0, 1};
 
-/// Steps along one direction, and their effects, by strip.
+/// The steps of each strip along one direction, and the factors of errors that follow from them.
 struct steps_along {
     int n[most_strips] = {1, 1, 1, 1}, fewest[most_strips] = {1, 1, 1, 1};
     alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< h
     alignas(64) double bend[most_strips] = {};           ///< factor of a second derivative
-    alignas(64) double moved[most_strips] = {}; ///< part of bend by which vertices are moved
+    alignas(
+        64) double moved[most_strips] = {}; ///< l3d_balance h^2 where vertices are moved, else 0
 
     void set(std::size_t strip, int steps, bool balanced) {
         const double h = 1.0 / steps;
@@ -95,9 +97,10 @@ struct steps_along {
     }
 };
 
-/// Effect of steps on the blocks of a strip of one direction, from some lane on.
+/// The steps that meet in the blocks of a strip of one direction, from some block on, a block a
+/// lane.
 struct strip_numbers {
-    lane_vec step, bend, moved; ///< across the strip, by steps of the other direction
+    lane_vec step, bend, moved; ///< steps of the other direction, one for each block
     lane_vec own_step, own_bend, own_moved;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_point_place_of, l3d_draw_point: one triangle around a pixel's centre.
+// l3d_point_place_of, l3d_draw_point: draw one triangle around a pixel's centre.
 #include "dice/point_patch.h"
 
 #include "dice/error_color.h"
@@ -13,7 +13,8 @@
 
 namespace {
 
-/// Corners about the centre, in sub-pixels: the smallest triangle of whole numbers around it.
+/// The corners of the drawn triangle, in sub-pixels from the centre. No smaller triangle of whole
+/// numbers holds the centre inside.
 constexpr std::array<std::array<std::int32_t, 2>, 3> triangle_places{{{-1, -1}, {1, -1}, {0, 1}}};
 constexpr double extent = 1.5 / l3d_subpixel_one;
 
@@ -21,7 +22,7 @@ bool far_apart(const l3d_image_point& a, const l3d_image_point& b, double limit)
     return l3d_far_apart(a, b, 0, limit) || l3d_far_apart(a, b, 1, limit);
 }
 
-/// The index of the only pixel whose centre lies between two places, even if snapping moved them.
+/// Finds the only pixel whose centre lies between two places, even if snapping moved them.
 std::optional<std::int32_t> only_centre(double low, double high, double corner) {
     const auto centres = l3d_centres_near(low, high, corner);
     if (!centres.only_one())

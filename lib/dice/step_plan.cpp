@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The demands of a piece's blocks on its steps, one after the other.
+// Finds what a piece's blocks need of its steps, one block after the other.
 #include "dice/step_plan.h"
 
 #include "geom/trims/trim_region.h"
@@ -30,9 +30,10 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
     needs.uu[i] = image.uu;
     needs.uv[i] = image.uv;
     needs.vv[i] = image.vv;
-    // |D2 w| times half the box's diagonal is part of the image bound. Take a box with a half
-    // diagonal of 8 budgets, and let both count h^2 / 8. Then w is off by an eighth at most where
-    // the image is within budget. Width and height together are at most sqrt(2) diagonals.
+    // |D2 w| times half the box's diagonal is part of the image bound. In a box with a half
+    // diagonal of 8 budgets or more, the image bound therefore keeps w, too. Both count h^2 / 8, so
+    // w is off by an eighth at most where the image is within its budget. Width and height together
+    // are at most sqrt(2) diagonals.
     constexpr double two_root_two = 2.8284271247461903;
     const double enough = needs.balanced ? 1 / l3d_balance : 8;
     if (!in_front || box.width() + box.height() < enough * two_root_two * budget) {
@@ -44,14 +45,15 @@ void add_need(l3d_block_needs& needs, std::size_t i, const l3d_image_patch& bloc
         needs.depth_vv[i] = depth.vv * scale;
     }
     if (kind != l3d_quad_kind::triangles) {
-        // A cubic moves by at most three gaps of its control polygon.
+        // A cubic moves by at most three times the widest gap of its control polygon.
         const auto [along_u, along_v] = l3d_image_gaps_of(block);
         needs.least_u[i] = 3 / l3d_largest_quad * along_u;
         needs.least_v[i] = 3 / l3d_largest_quad * along_v;
     }
 }
 
-/// Adds third and fourth derivatives of a net, by its quarters' parameters.
+/// Sets the bounds of mixed third and fourth derivatives of a net, by the parameters of its
+/// quarters.
 void add_mixed(l3d_block_needs& needs, const l3d_image_net& net, const l3d_dice_view& view) {
     const l3d_image_box box = view.margin().intersected(net.box().grown(view.most_moved()));
     if (box.empty())
@@ -66,14 +68,14 @@ bool is_large(const l3d_image_box& hull) {
     return !(hull.width() < l3d_largest_one_block && hull.height() < l3d_largest_one_block);
 }
 
-/// The largest of some differences of control points, as seen from the eye.
+/// Finds the largest of some differences of control points, as seen from the eye.
 class largest_bend {
 public:
     largest_bend(const l3d_image_box& hull, double focal)
         : x_((hull.left + hull.right) / 2), y_((hull.top + hull.bottom) / 2), focal_(focal) {}
 
-    /// Expects: second differences of x, y and w. A length along the line of sight counts like one
-    /// across it where depth is kept.
+    /// Takes a second difference of x, y and w. Where depth is kept, a length along the line of
+    /// sight counts like one across it.
     void take(double x, double y, double w) {
         const double dx = x - x_ * w, dy = y - y_ * w, dw = focal_ * w;
         square_ = std::max(square_, dx * dx + dy * dy + dw * dw);
@@ -87,7 +89,7 @@ private:
     double x_, y_, focal_, square_ = 0;
 };
 
-/// The budget of chords, finer where outlines may be.
+/// The budget of chords, smaller where outlines need finer steps.
 double budget_of(const l3d_dice_view& view) {
     return view.chord_budget(0) / view.finer_outlines();
 }
@@ -96,8 +98,9 @@ constexpr double steps_squared = l3d_most_steps_of_one_block * l3d_most_steps_of
 
 } // namespace
 
-/// Second derivatives are 6 times second differences along u and v, and 9 times mixed ones. A quad
-/// errs by an eighth of the first two and a sixteenth of the last, see l3d_plan_steps.
+/// Estimates the error of three steps. Second derivatives are 6 times second differences along u
+/// and v, and 9 times mixed ones. A quad errs by an eighth of the first two and a sixteenth of the
+/// last, see l3d_plan_steps.
 bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
                       const l3d_dice_view& view) {
     if (l3d_is_small(hull))
@@ -109,7 +112,7 @@ bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
     return error <= steps_squared * bends.least_w * budget_of(view);
 }
 
-/// An edge gets half of the budget, as each direction of a quad does.
+/// Compares with half of the budget, since an edge gets as much as each direction of a quad.
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view) {
     if (l3d_is_small(hull))
@@ -141,8 +144,8 @@ l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image
     return needs;
 }
 
-/// Marks the blocks that outlines may cross. Pieces are parts of patches by halves, so all numbers
-/// here are exact.
+/// Marks the blocks that outlines may cross. A piece is a part of the patch by halves, so all
+/// numbers here are exact.
 void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs) {
     needs.finer_outlines = view.finer_outlines();
@@ -151,7 +154,7 @@ void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view
         return;
     constexpr unsigned across = 4; // blocks of a patch along either direction
     const auto strips = static_cast<std::size_t>(needs.strips);
-    // The patch's blocks along a direction that block i of the piece reaches into, as bits.
+    // Finds, as bits, the patch's blocks along a direction into which block i of the piece reaches.
     const auto reached = [&](double low, double high, std::size_t i) {
         const double size = across * (high - low) / needs.strips;
         const double from = across * low + size * static_cast<double>(i);

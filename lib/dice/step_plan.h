@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_step_plan: how finely a piece of a patch is diced, from the error bound.
+// l3d_step_plan: decides from error bounds how finely a piece of a patch is diced.
 #ifndef L3D_DICE_STEP_PLAN_H
 #define L3D_DICE_STEP_PLAN_H
 
@@ -12,50 +12,53 @@
 #include <cstddef>
 #include <span>
 
-/// The most steps along a direction of a net that is one block though it is not small. Four strips
-/// have no fewer than four.
+/// The most steps along a direction of a net that is one block although it is not small. Four
+/// strips need at least four steps.
 inline constexpr int l3d_most_steps_of_one_block = 3;
 
-/// Nets larger than this are four strips: four of them are no larger than small nets, 24 pixels.
-/// Units: pixels.
+/// Nets larger than this become four strips, each no larger than a small net of 24 pixels. Units:
+/// pixels.
 inline constexpr double l3d_largest_one_block = 96;
 
-/// Whether a net is diced as one block: it is small (l3d_is_small), or so flat that three steps in
-/// each direction keep places and depth. Else it is 4 x 4 blocks, whose vertices are balanced.
+/// Whether a net is diced as one block. That is so if it is small (l3d_is_small), or so flat that
+/// three steps in each direction keep places and depth. Else it becomes 4 x 4 blocks, whose
+/// vertices are balanced.
 ///
-/// Nothing proven relies on the choice, as each way has its own bounds.
+/// No proof relies on the choice, as each way has its own bounds.
 /// Expects: every w > 0; `hull` is the net's box.
-/// Cost:    nothing worth mentioning for small nets and for large ones, else that of l3d_bends_of.
+/// Cost:    next to nothing for small nets and for large ones, else that of l3d_bends_of.
 bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 
-/// The same for an edge, which is one strip or four. It depends on the edge alone, and is the same,
-/// bit for bit, for the edge that runs the other way.
+/// Whether an edge is one strip; else it has four. The answer depends on the edge alone, and is the
+/// same, bit for bit, for the edge that runs the other way.
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 
-/// The largest differences of a net's control points, as seen from the eye: second ones along u and
-/// along v, and mixed ones. A length along the line of sight counts like one across it where depth
-/// is kept.
+/// How much a net bends, as seen from the eye. These are its largest second differences of control
+/// points along u and along v, and its largest mixed ones. Where depth is kept, a length along the
+/// line of sight counts like one across it.
 struct l3d_net_bends {
     double uu = 0, vv = 0, uv = 0, least_w = 0;
 };
+/// Measures the differences of a net. `focal` is 0 where depth is not kept.
 /// Expects: as l3d_is_one_block.
 /// Cost:    some 300 instructions.
 l3d_net_bends l3d_bends_of(const l3d_image_patch& net, const l3d_image_box& hull, double focal);
 
-/// The way of drawing quads for which steps are chosen.
+/// The way in which quads will be drawn. Steps are chosen for it.
 enum class l3d_quad_kind {
-    convex,    ///< the same as `whole`, but the caller adds what folded quads err more
-    whole,     ///< convex quads whole: only for pieces that need no clipping
-    trimmed,   ///< the same, but trims cut some quads into triangles
+    convex,    ///< as `whole`, but the caller adds the further error of folded quads
+    whole,     ///< convex quads whole, folded ones as fans: only for pieces that need no clipping
+    trimmed,   ///< as `whole`, but trims cut some quads into triangles
     triangles, ///< two triangles, clipped
 };
 
-/// The kind of pieces that need no clipping.
+/// The kind of quads in pieces that need no clipping: `trimmed` where the view has trims that cut,
+/// else `whole`.
 l3d_quad_kind l3d_whole_kind(const l3d_dice_view& view);
 
-/// The demands of a piece's blocks on its steps.
+/// The second derivatives and other facts that decide how many steps each block of a piece needs.
 ///
 /// Shape: element strips * b + a of each array is u-strip a, v-strip b. A block that is not visible
 ///        has zeros everywhere.
@@ -65,20 +68,21 @@ struct l3d_block_needs {
     using per_block = std::array<double, most_blocks>;
 
     int strips = 1;
-    bool visible = false;                         ///< whether any block is
-    bool keeps_depth = false;                     ///< whether any depth is not zero
+    bool visible = false;                         ///< whether any block is visible
+    bool keeps_depth = false;                     ///< whether the depth arrays count
     per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
     per_block depth_uu{}, depth_uv{}, depth_vv{}; ///< second bounds of w, in depth budgets
     per_block least_w{}; ///< least exact w of a drawn point, for visible blocks
 
-    /// Whether vertices inside strips are balanced (l3d_balance): in sixteen blocks, drawn whole.
+    /// Whether vertices inside strips are balanced (l3d_balance). They are in sixteen blocks that
+    /// are drawn whole.
     bool balanced = false;
-    /// For balanced vertices: bounds of the mixed third and fourth derivatives, for the steps of
-    /// every block. Units: pixels.
+    /// Bounds of the mixed third and fourth derivatives, which balanced vertices need. They hold
+    /// for every block. Units: pixels.
     double uuv = 0, uvv = 0, uuvv = 0;
 
-    /// Bounds of derivatives along the unit normal, by a block's own parameters (l3d_bend_numbers),
-    /// and of |S_uuuv| and |S_uvvv|. Units: budgets of depth.
+    /// Bounds of derivatives along the unit normal by a block's own parameters (l3d_bend_numbers),
+    /// and bounds of |S_uuuv| and |S_uvvv|. Units: budgets of depth.
     struct normal_bends {
         per_block uu{}, uv{}, vv{}, uuu{}, uuv{}, uvv{}, vvv{}, uuvv{}, uuuv{}, uvvv{};
 
@@ -88,7 +92,7 @@ struct l3d_block_needs {
             uuuv[i] = uvvv[i] = 0;
         }
 
-        /// Asks for errors smaller by a factor in a block.
+        /// Multiplies the needs of a block by a factor, so that its errors become smaller by it.
         void refine(std::size_t i, double by) {
             for (per_block* of : {&uu, &uv, &vv, &uuu, &uuv, &uvv, &vvv, &uuvv, &uuuv, &uvvv})
                 (*of)[i] *= by;
@@ -98,39 +102,39 @@ struct l3d_block_needs {
     unsigned without_normals = 0; ///< bits of visible blocks that may have places without a normal
     normal_bends bends;
 
-    /// The fewest steps that keep quads small enough to be filled fast. They are not certified: a
+    /// The fewest steps that keep quads small enough to be filled fast. They are no bound: a
     /// perspective curve may run through its pixels faster than its control points are apart.
     per_block least_u{}, least_v{};
 
-    /// The factor by which errors are to be smaller where outlines may be: along the piece's sides,
-    /// and in blocks that may fold over, whose bits `folds` has. No bound relies on it.
+    /// The factor by which errors have to be smaller where outlines may be. That is along the
+    /// piece's sides, and in the blocks of `folds`, which may fold over. No bound relies on it.
     double finer_outlines = 1;
     unsigned folds = 0;
 };
 
-/// Largest side of a micro-quad. The rasterizer's 32-bit edge functions take boxes of at most 64
-/// pixels. A square of this size that stands on a corner has a box of 48 sqrt(2) = 68. But numbers
-/// of steps are rounded up, which makes quads smaller, so nearly all fit. Units: pixels.
+/// The largest side of a micro-quad. The rasterizer's 32-bit edge functions take boxes of at most
+/// 64 pixels. A square of this size that stands on a corner has a box of 48 sqrt(2) = 68. But
+/// numbers of steps are rounded up, which makes quads smaller, so nearly all fit. Units: pixels.
 inline constexpr double l3d_largest_quad = 48;
 
-/// The needs of a net's blocks. The slow twin of l3d_detail::bounds_in_lanes; it also takes clipped
-/// pieces.
+/// Finds the needs of a net's blocks, also of pieces to be clipped. It is the slow twin of
+/// l3d_detail::bounds_in_lanes, which takes no clipped pieces.
 ///
-/// Shape:   blocks of the net, as in l3d_block_needs: 1 or 16.
-/// Units:   budget: of the image error, in pixels.
-/// Expects: for `whole`, every w > view.near.
+/// Shape:   1 or 16 blocks of the net, in the order of l3d_block_needs.
+/// Units:   `budget` is that of the image error, in pixels.
+/// Expects: every w > view.near, unless the kind is `triangles`.
 l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image_patch> blocks,
                              const l3d_dice_view& view, double budget, l3d_quad_kind kind);
 
-/// Adds the view's wishes for finer steps at outlines. Expects: the needs' strips are those of the
-/// piece.
+/// Marks where the view wants finer steps because of outlines. Expects: the needs' strips are those
+/// of the piece.
 void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs);
 
-/// Steps per strip of a piece that is cut into strips x strips blocks.
+/// The number of steps in each strip of a piece, which is cut into strips x strips blocks.
 ///
-/// The grid is a tensor product, so that it is watertight inside by construction: all blocks of a
-/// u-strip share its steps. Steps are any whole numbers, not powers of two alone. On the teapot
+/// The grid is a tensor product: all blocks of a u-strip share its steps. So it is watertight
+/// inside by construction. Steps may be any whole numbers, not only powers of two. On the teapot
 /// that saves a third of the quads, and four strips instead of one save another third.
 struct l3d_step_plan {
     static constexpr int most_strips = l3d_block_needs::most_strips;
@@ -138,43 +142,42 @@ struct l3d_step_plan {
     int strips = 1;
     std::array<int, most_strips> nu{1, 1, 1, 1}, nv{1, 1, 1, 1};
     double chord_error = 0; ///< bound of the visible blocks' chord error, in pixels
-    double fan_error = 0;   ///< the same if every quad were folded; not less
-    /// The chord errors of blocks. Shape: element 4 b + a is u-strip a, v-strip b.
+    double fan_error = 0;   ///< the bound if every quad were folded; not less than chord_error
+    /// The chord error of each block. Shape: element 4 b + a is u-strip a, v-strip b.
     alignas(64) l3d_block_needs::per_block errors{};
-    double bend_error = 0; ///< bound of the errors along the normal, in budgets of depth
+    double bend_error = 0; ///< bound of the error along the normal, in budgets of depth
     bool visible = false;  ///< whether any block may reach into the picture
-    bool balanced = false; ///< whether vertices inside strips are to be moved, see l3d_balance
+    bool balanced = false; ///< whether vertices inside strips are moved, see l3d_balance
 
     int most_u() const { return *std::max_element(nu.begin(), nu.begin() + strips); }
     int most_v() const { return *std::max_element(nv.begin(), nv.begin() + strips); }
 };
 
-/// The fewest steps (greedily) with which every visible block keeps its chord error at or below
-/// `budget`.
+/// Chooses steps with which every visible block keeps its chord error at or below `budget`. A
+/// greedy search makes them few.
 ///
 /// Let c be the weight of a direction's steps (1/8 h^2, or l3d_balanced_error). Let m be the weight
 /// by which its vertices are moved (0, or l3d_balance h^2). A quad errs by at most
 ///     c_u uu + c_v vv + m_u m_v uuvv + d k,
 ///     d = h_u h_v uv + 2 m_u h_v uuv + 2 m_v h_u uvv + 4 m_u m_v uuvv.
-/// Here d bounds the corners' mixed difference. k is 1/16 or 1/4, see l3d_second_bounds, or 0 for
-/// `convex`. Slits
-/// between a side's row and its edge err as much as unbalanced chords. So the outer blocks'
-/// unbalanced chords keep the budget, too.
+/// d bounds the corners' mixed difference. k is 1/16 or 1/4, see l3d_second_bounds, or 0 for
+/// `convex`. Slits between a side's row and its edge err as much as unbalanced chords. So the outer
+/// blocks' unbalanced chords keep the budget, too.
 ///
 /// Along the normal, a quad errs by at most
-///     c_u uu + c_v vv + l3d_bend_weights::thirds (h_u^3 uuu + h_v^3 vvv)
+///     c_u uu + c_v vv + 0.0322 (h_u^3 uuu + h_v^3 vvv)
 /// and further terms (NUMERICS, section 3, Depth). This error keeps a budget of its own.
 ///
-/// Outlines get finer steps only if these are no reason to cut the piece: no more than
-/// l3d_most_steps_whole a strip, and none with `triangles`.
+/// Outlines get finer steps only if these give no reason to cut the piece. So there are no more
+/// than l3d_most_steps_whole a strip, and none for `triangles`.
 ///
 /// Units:   budget in pixels.
 /// Expects: budget > 0.
-/// Errors:  with `triangles`, the bound holds where the interpolated w is at least view.near.
-///          Enough steps are taken that the exact w is then at least half of that.
+/// Errors:  with `triangles`, the bound holds where the interpolated w is at least view.near. The
+///          plan has enough steps that the exact w is then at least half of that.
 l3d_step_plan l3d_plan_steps(const l3d_block_needs& needs, double budget, l3d_quad_kind kind);
 
-/// The error along the normal with the steps of any plan. Units: budgets of depth, as
+/// Bounds the error along the normal with the steps of any plan. Units: budgets of depth, as
 /// l3d_step_plan::bend_error.
 double l3d_bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Chooses integer steps per strip, the blocks of a strip in SIMD lanes.
+// Chooses the whole numbers of steps of all strips, with the blocks of a strip in SIMD lanes.
 #include "dice/step_plan.h"
 
 #include <algorithm>
@@ -21,16 +21,17 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Limit of steps that keeps hopeless cases finite, and still tells which direction needs more.
+/// The limit of steps. It keeps hopeless cases finite, and they still tell which direction needs
+/// more.
 constexpr int most_steps = 1 << 28;
 
 /// The share of the corners' mixed difference by which a fan of four triangles errs.
 constexpr double of_fan = 1.0 / 16;
 
-/// Steps beyond this are not coarsened: such pieces are cut anyway, and may be many.
+/// More steps than this are not coarsened, since such pieces are cut anyway and may be many.
 constexpr int most_worth_saving = 64;
 
-/// The steps while they are chosen, and the needs that they have to meet.
+/// The steps of all strips while they are chosen, and the needs that they have to meet.
 class planner {
 public:
     planner(const l3d_block_needs& needs, double budget, l3d_quad_kind kind)
@@ -84,7 +85,7 @@ public:
         }
     }
 
-    /// The error that remains along the normal.
+    /// The error along the normal that these steps leave.
     HWY_INLINE double bend_error() const {
         lane_vec most = hn::Zero(lane_tag());
         if (bends_)
@@ -101,17 +102,19 @@ private:
         return kind == l3d_quad_kind::whole ? of_fan : 1.0 / 4;
     }
 
-    /// The share of the mixed difference if every quad were folded.
+    /// The share of the mixed difference that counts if every quad is folded.
     double drawn_mixed() const { return std::max(mixed_, of_fan); }
 
-    /// Starts with half the budget for each direction, which makes the product of the steps least.
+    /// Starts with half the budget for each direction, since that makes the product of the steps
+    /// least.
     HWY_INLINE void start() {
         start_along(along_u, needs_.least_u);
         start_along(along_v, needs_.least_v);
     }
 
-    /// Refines strips where the mixed terms exceed the budget. More steps are never worse, except
-    /// two after one, which is not balanced: then all strips are checked once more.
+    /// Refines strips where the mixed terms exceed the budget. More steps are never worse, with one
+    /// exception: two steps may be worse than one, since one step is not balanced. So after a
+    /// change, all strips are checked once more.
     HWY_INLINE void refine() {
         for (bool settled = false; !settled;) {
             settled = true;
@@ -120,7 +123,7 @@ private:
         }
     }
 
-    /// Coarsens strips where the slack of rounding up allows it.
+    /// Coarsens strips where rounding up has left enough room.
     HWY_INLINE void coarsen() {
         for (std::size_t strip = 0; strip < strips_; ++strip)
             for (const direction d : {along_u, along_v})
@@ -128,7 +131,7 @@ private:
     }
 
     /// Refines a v-strip, the coarser direction first, until its blocks are fine enough or
-    /// hopeless. Returns whether they were.
+    /// hopeless. Returns whether nothing had to change.
     HWY_INLINE bool refine_strip(std::size_t strip) {
         bool settled = true;
         unsigned hopeless = 0;
@@ -155,15 +158,15 @@ private:
         return n < most_steps ? std::max(1, static_cast<int>(n)) : most_steps;
     }
 
-    /// Steps with which a second derivative takes at most half the budget; `squared` is the square
-    /// of the unbalanced steps.
+    /// The steps with which a second derivative takes at most half the budget. `squared` is the
+    /// square of the unbalanced steps.
     int steps_for(double squared) const {
         if (!needs_.balanced || squared <= 1)
             return rounded_up(std::sqrt(squared));
         return std::max(2, rounded_up(std::sqrt(8 * l3d_balance * squared)));
     }
 
-    /// The same along the normal, with the share of third derivatives.
+    /// The same along the normal, where third derivatives count, too.
     int steps_for_bends(double second, double third) const {
         const int steps = steps_for(second / 4);
         const double of_third = of_moved_thirds / l3d_balance / steps;
@@ -205,7 +208,7 @@ private:
         }
     }
 
-    /// Effect of the steps on the blocks of a strip of direction d, from `lane` on.
+    /// The factors of the steps in the blocks of a strip of direction d, from block `lane` on.
     HWY_INLINE strip_numbers numbers_of(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         const steps_along &own = steps_[d], &across = steps_[other(d)];
@@ -236,8 +239,8 @@ private:
         return hn::IfThenZeroElse(nothing, error);
     }
 
-    /// Errors of w, in budgets. They hold balanced or not: with n >= 2, all that balance adds stays
-    /// within the 1/8 of a chord. NUMERICS, section 3.
+    /// Bounds the errors of w, in budgets. The bounds hold whether vertices are balanced or not:
+    /// with n >= 2, all that balance adds stays within the 1/8 of a chord. NUMERICS, section 3.
     HWY_INLINE lane_vec depth_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec own = hn::Mul(depth_[d].in(d, strip, lane), hn::Mul(s.own_step, s.own_step));
@@ -249,7 +252,7 @@ private:
                        hn::Mul(twist, hn::Set(lane_tag(), drawn_mixed())));
     }
 
-    /// Errors of quads and slits along the normal. Units: budgets of depth.
+    /// Bounds the errors of quads and slits along the normal. Units: budgets of depth.
     HWY_INLINE lane_vec bend_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec quads = bends_->errors(d, strip, lane, s);
@@ -260,7 +263,7 @@ private:
                                           hn::Set(lane_tag(), at_ends[strip])));
     }
 
-    /// Errors of the slits along the piece's sides, where the block lies at one.
+    /// Bounds the errors of slits along the piece's sides; 0 for blocks that lie at no side.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         if (!needs_.balanced)
@@ -275,7 +278,7 @@ private:
         return hn::Mul(larger(own, across), hn::Set(tag, 1.0 / 8));
     }
 
-    /// The blocks of a strip that are not fine enough, as bits.
+    /// Finds the blocks of a strip that are not fine enough, as bits.
     HWY_INLINE unsigned unmet(direction d, std::size_t strip) const {
         const lane_tag tag;
         const lane_vec budget = hn::Set(tag, budget_);
@@ -302,7 +305,7 @@ private:
     steps_along steps_[2];
 };
 
-/// The needs of steps for finer outlines.
+/// The needs, with those of finer outlines.
 l3d_block_needs with_outlines(const l3d_block_needs& needs) {
     l3d_block_needs result = needs;
     const auto strips = static_cast<std::size_t>(needs.strips);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_strip_walker: many isocurves of a patch walked side by side by forward differences.
+// l3d_strip_walker: walks many isocurves of a patch side by side by forward differences.
 #ifndef L3D_DICE_STRIP_WALKER_H
 #define L3D_DICE_STRIP_WALKER_H
 
@@ -12,15 +12,15 @@
 #include <cstdint>
 #include <vector>
 
-/// The columns of a strip: column c is the curve v -> (x, y, w) at some fixed u, held as forward
+/// Walks the columns of a strip. Column c is the curve v -> (x, y, w) at a fixed u, held as forward
 /// differences. A step moves all columns to the next row.
 ///
-/// Shape: one array per coordinate and difference, columns side by side. So both loops run over
-///        contiguous numbers of one kind, and a processor's lanes can each take a column.
+/// Shape: one array for each coordinate and difference, with the columns side by side. So a
+///        processor's lanes can each take a column.
 /// Cost:  9 additions a column and step, one reciprocal and two products a vertex.
 template <class T> class l3d_strip_walker {
 public:
-    /// Makes room for columns. Registers hold `unit` times their values: a power of two, 1 for
+    /// Sets the number of columns. Registers hold `unit` times their values: a power of two, 1 for
     /// floats.
     /// Cost: allocates only when wider than ever before.
     void resize(std::size_t columns, double unit = 1) {
@@ -32,10 +32,10 @@ public:
                     difference.resize(columns);
     }
 
-    /// The number of columns that need no allocation.
+    /// The number of columns for which there is memory.
     std::size_t room() const { return registers_[0][0].size(); }
 
-    /// Starts column c exactly, at the beginning of `curve`, to be walked in `steps` steps.
+    /// Sets column c exactly to the beginning of `curve`, and prepares to walk it in `steps` steps.
     void start(std::size_t c, const l3d_image_curve& curve, int steps) {
         for (std::size_t k = 0; k < 3; ++k) {
             const auto i = static_cast<int>(k);
@@ -47,13 +47,13 @@ public:
         }
     }
 
-    /// Puts column c on one point, from which it is not walked on.
+    /// Puts column c on one point. It is not walked on from there.
     void place(std::size_t c, const l3d_image_point& point) {
         for (std::size_t k = 0; k < 3; ++k)
             registers_[k][0][c] = l3d_from_double<T>(point[static_cast<int>(k)] * unit_);
     }
 
-    /// Writes the current points, projected and snapped to sub-pixels.
+    /// Writes the current row of points, projected and snapped to sub-pixels.
     /// Expects: x, y, inv_w have room for all columns; every point is drawable; perspective.
     void emit(const l3d_dice_view& view, std::int32_t* x, std::int32_t* y, float* inv_w) const {
         const T* hx = registers_[0][0].data();

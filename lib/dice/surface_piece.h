@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_surface_piece: a patch, or a part of one that was cut off, in the image.
+// l3d_surface_piece: a patch in the image, or a part that was cut off a patch.
 #ifndef L3D_DICE_SURFACE_PIECE_H
 #define L3D_DICE_SURFACE_PIECE_H
 
@@ -11,7 +11,7 @@
 #include <array>
 #include <cstddef>
 
-/// A stretch of an edge polyline that a piece's side lies along.
+/// The stretch of an edge polyline along which a piece's side lies.
 struct l3d_piece_side {
     std::size_t edge = 0; ///< index among the patch's edges
     double t0 = 0, t1 = 1;
@@ -19,13 +19,14 @@ struct l3d_piece_side {
     bool whole() const { return t0 == 0 && t1 == 1; }
 };
 
-/// A part of a patch, with the edges that it shares with its neighbours.
+/// A part of a patch that is diced by itself, with the edges that it shares with its neighbours.
 ///
 /// Shape: sides [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v).
 struct l3d_surface_piece : l3d_patch_part {
     std::array<l3d_piece_side, 4> sides;
 
-    /// A corner at its canonical place, which all pieces that share it use; without normal.
+    /// A corner at its canonical place, which is the same for all pieces that share the corner. It
+    /// has no normal.
     l3d_clip_vertex corner(bool high_u, bool high_v, const l3d_dice_view& view) const {
         l3d_clip_vertex result = l3d_canonical_vertex(net.at(high_v ? 3 : 0, high_u ? 3 : 0), view);
         result.dice.u = high_u ? u1 : u0;
@@ -34,8 +35,8 @@ struct l3d_surface_piece : l3d_patch_part {
     }
 };
 
-/// Cuts a piece into halves. The sides across the cut are halved; the cut itself becomes a new
-/// edge, whole for both, which is counted.
+/// Cuts a piece into two halves, along u or along v. The sides across the cut are halved. The cut
+/// itself becomes a new edge, which both halves have as a whole side. `counts` counts the edge.
 inline std::array<l3d_surface_piece, 2> l3d_cut_piece(const l3d_surface_piece& p, bool along_u,
                                                       const l3d_dice_view& view,
                                                       l3d_edge_polylines& edges,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_trim_cells: what trims leave of a grid, as vertices and triangles in the picture.
+// l3d_trim_cells: makes vertices and triangles in the picture of what trims leave.
 #include "dice/trim_cells.h"
 
 #include "dice/edges/shared_polylines.h"
@@ -64,7 +64,7 @@ l3d_trim_error l3d_trim_cells::cut(const l3d_trim_region& region, const l3d_dice
     if (piece.part.grid.rows > 1)
         cut_grid(by);
     cut_slits(region, by);
-    piece.keep_parameters = true; // those of slits, when it is diced again
+    piece.keep_parameters = true; // for its slits, when it is diced again
     return error_;
 }
 
@@ -85,7 +85,7 @@ void l3d_trim_cells::cut_grid(const l3d_grid_trims& by) {
     piece_->part.border.insert(piece_->part.border.end(), trims_.begin(), trims_.end());
 }
 
-/// Whether the quad is in a block that need not be drawn.
+/// Whether the quad lies in a block that back-face culling leaves out.
 bool l3d_trim_cells::is_unseen(std::size_t row, std::size_t column) const {
     if (piece_->part.unseen == 0)
         return false;
@@ -129,7 +129,7 @@ void l3d_trim_cells::add(const Surface& of, const typename Surface::point& a,
     piece_->add_triangle(p[0], p[1], p[2]);
 }
 
-/// A point of a strip's border, with the light of one side and without bends.
+/// Makes a vertex of a point of a strip's border, with the light of one side and without bends.
 template <class Point> l3d_dice_vertex l3d_trim_cells::lit(const Point& at, float side) const {
     l3d_dice_vertex result{at.vertex, at.uv.u, at.uv.v};
     float(&normal)[3] = result.vertex.normal;
@@ -153,7 +153,8 @@ void l3d_trim_cells::add_strip(const l3d_trim_use& use, const l3d_dice_vertex& f
                       l3d_border_point_of(to, use.to, *view_), *view_, *piece_);
 }
 
-/// Notes a place on a side of the piece, for the slit beside it.
+/// Notes where a border that follows an edge reaches a side of the piece. The slit beside it needs
+/// the place.
 void l3d_trim_cells::note_crossing(const l3d_trim_place& at, std::uint32_t edge, double t) {
     if (at[0] == piece_->u.front() || at[0] == piece_->u.back() || at[1] == piece_->v.front() ||
         at[1] == piece_->v.back())
@@ -171,7 +172,7 @@ const l3d_diced_piece::crossing* l3d_trim_cells::crossing_at(bool along_u, doubl
     return here == all.end() ? nullptr : &*here;
 }
 
-/// Adds strips along the sides of whole quads that follow edges.
+/// Adds strips along those sides of whole quads that follow edges.
 void l3d_trim_cells::strip_whole(const l3d_grid_trims& by, const l3d_grid_trims::part& part) {
     if (view_->edges == nullptr)
         return;
@@ -223,7 +224,7 @@ void l3d_trim_cells::cut_quad(const l3d_grid_trims& by, const l3d_grid_trims::pa
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         const auto& [a, b, c] = triangles[i];
         add(of, points_[a], points_[b], points_[c]);
-        // One without area has given its place to the one before.
+        // A triangle without area was not added: the side then belongs to the triangle before.
         const std::size_t last = piece_->part.triangles.count - 1;
         for (; notes && border != borders.end() && border->triangle == i; ++border)
             if (piece_->part.triangles.count > 0 && !has_strip(border->use))
@@ -239,7 +240,8 @@ void l3d_trim_cells::cut_quad(const l3d_grid_trims& by, const l3d_grid_trims::pa
             piece_->part.border.push_back(side_between(side, row, column, false));
 }
 
-/// Notes the sides at which a whole quad meets another one; they go on there, or end.
+/// Notes the sides at which a whole quad meets another that is not whole. There, the surface goes
+/// on or ends.
 void l3d_trim_cells::note_whole_quads(const l3d_grid_trims& by) {
     const l3d_micro_grid& grid = piece_->part.grid;
     is_whole_.assign(grid.x.size(), false);
@@ -270,9 +272,10 @@ void l3d_trim_cells::note_whole_quads(const l3d_grid_trims& by) {
         }
 }
 
-/// Keeps of the piece's border what lies beside the region.
+/// Keeps the parts of the piece's border that lie beside the region.
 void l3d_trim_cells::cut_border(const l3d_grid_trims& by) {
-    constexpr std::size_t sides[] = {0, 3, 1, 2}; // v = 0, u = 1, v = 1, u = 0: those of quads
+    constexpr std::size_t sides[] = {
+        0, 3, 1, 2}; // indices into kept() for a quad's sides v = 0, u = 1, v = 1, u = 0
     for (std::size_t i = 0; i < border_.size(); ++i) {
         const l3d_border_edge& edge = border_[i];
         const auto [begin, end] = border_along_[i];
@@ -307,18 +310,20 @@ void l3d_trim_cells::cut_border(const l3d_grid_trims& by) {
     }
 }
 
-/// Slits lie along lines of equal u or v. Other triangles are those of clipped quads.
+/// Cuts the triangles of slits, which lie along lines of equal u or v. Triangles of clipped quads
+/// stay.
 void l3d_trim_cells::cut_slits(const l3d_trim_region& region, const l3d_grid_trims& by) {
     const bool has_grid = piece_->part.grid.rows > 1;
-    stretches of_line; // those of the line that is known
+    stretches of_line; // the stretches of `line`
     std::array<double, 2> line{-1, -1};
     for (std::size_t i = 0; i < slits_.count; ++i) {
         const parameters &a = slits_uv_[0][i], &b = slits_uv_[1][i], &c = slits_uv_[2][i];
         const bool along_u = a.v == b.v && b.v == c.v;
-        const bool is_point = along_u && a.u == b.u && b.u == c.u; // that stands for all of a patch
+        const bool is_point =
+            along_u && a.u == b.u && b.u == c.u; // a triangle that stands for a whole patch
         if (is_point || (!along_u && !(a.u == b.u && b.u == c.u))) {
             keep_slit(i);
-            if (!is_point) // light within its quad is not what is proven
+            if (!is_point) // nothing is proven of light within a clipped quad
                 error_.normals = error_.levels = std::numeric_limits<double>::infinity();
             continue;
         }
@@ -345,8 +350,8 @@ void l3d_trim_cells::keep_slit(std::size_t triangle) {
     piece_->add_triangle(corner[0], corner[1], corner[2]);
 }
 
-/// Keeps what lies beside the stretches. New corners are on the triangle's sides, functions of the
-/// sides' ends.
+/// Keeps the parts of a slit's triangle beside the stretches. New corners lie on the triangle's
+/// sides, and depend on the sides' ends alone.
 void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretches& kept) {
     std::array<std::size_t, 3> order{0, 1, 2};
     const auto along = [&](std::size_t corner) {
@@ -375,7 +380,7 @@ void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretche
                                                                   : between(middle, high, at);
     };
     const double across = along_u ? slits_uv_[0][triangle].v : slits_uv_[0][triangle].u;
-    // Where the region ends, its border goes on across the slit.
+    // Where the region ends, its border goes on across the slit, and so does the strip.
     const auto strip_end = [&](double at, const slit_surface::point& a,
                                const slit_surface::point& b) {
         if (const auto* const crossing = crossing_at(along_u, across, at))

@@ -12,18 +12,21 @@
 #include <cstddef>
 #include <vector>
 
-/// Leaves out what lies outside of a region: of a piece's quads, and of the triangles of its slits.
+/// Cuts off the parts of a piece that lie outside of a trimmed region. It cuts the quads of the
+/// grid and the triangles of the slits.
 ///
-/// Quads that lie inside stay as they are. Others join the grid's `cut`, and triangles stand for
-/// what is left of those that the border passes through. A new corner stands for the same
-/// parameters in the plane of its quad, before projection. One on a side is a function of that
-/// side's ends, so neighbours fit together (docs/NUMERICS.md, section 27).
-/// Lives:   one per worker, kept for its memory.
+/// Quads that lie inside stay as they are. All others join the grid's `cut`, so that they are not
+/// drawn. Where the border passes through a quad, triangles fill its part inside. A new corner has
+/// the parameters of its place on the border, and lies in the plane of its quad, before projection.
+/// A new corner on a side depends on that side's ends alone, so neighbours fit together
+/// (docs/NUMERICS.md, section 27).
+/// Lives:   one for each worker, kept for its memory.
 /// Expects: pieces that keep the parameters of their triangles.
 class l3d_trim_cells {
 public:
-    /// Cuts a piece of a patch with this region. A piece without a grid has slits alone to cut.
-    /// Expects: `by` is what the region leaves of the grid, if the piece has one.
+    /// Cuts a piece of a patch, and returns what that adds to the errors of the piece. A piece
+    /// without a grid has only slits to cut.
+    /// Expects: `by` tells what the region leaves of the grid, if the piece has one.
     l3d_trim_error cut(const l3d_trim_region& region, const l3d_dice_view& view,
                        l3d_diced_piece& piece, const l3d_grid_trims& by, bool keeps_parameters);
 
@@ -53,10 +56,12 @@ private:
     const l3d_dice_view* view_ = nullptr;
     l3d_diced_piece* piece_ = nullptr;
     l3d_trim_error error_;
-    std::vector<quad_surface::point> points_; ///< the corners in a quad that is cut
-    std::vector<bool> is_whole_;              ///< quads, by the index of their first corners
-    std::vector<l3d_border_edge> border_;     ///< as it was
-    std::vector<l3d_border_edge> trims_;      ///< sides of triangles
+    std::vector<quad_surface::point>
+        points_; ///< corners of the triangles in the quad that is being cut
+    std::vector<bool>
+        is_whole_; ///< whether each quad lies inside; by the index of its first corner
+    std::vector<l3d_border_edge> border_; ///< the piece's border before the cut
+    std::vector<l3d_border_edge> trims_;  ///< sides of triangles that lie on the region's border
     std::vector<stretch> border_along_;
     l3d_micro_triangles slits_;
     std::array<std::vector<l3d_patch_parameters>, 3> slits_uv_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The surfaces between vertices that trims cut: a quad of a grid, and a triangle of a slit.
+// Blends vertices at places where trims cut: in a quad of a grid, and in a triangle of a slit.
 #ifndef L3D_DICE_TRIM_SURFACES_P_H
 #define L3D_DICE_TRIM_SURFACES_P_H
 
@@ -16,31 +16,32 @@
 #include <cstddef>
 #include <limits>
 
-/// The most that trimming adds to the errors of a piece.
+/// The largest errors that trimming adds to a piece.
 struct l3d_trim_error {
     double places_px = 0; ///< error of places, and of depth along the normal
-    double normals = 0;   ///< error of interpolated normals, where vertices have such
-    double levels = 0;    ///< error of levels, where vertices have these
+    double normals = 0;   ///< error of interpolated normals, where vertices have normals
+    double levels = 0;    ///< error of levels, where vertices have levels
 
     void add(const l3d_trim_error& other);
 };
 
-/// How far the corners that trims make are off the means that they stand for, in pixels.
+/// Bounds how far a corner that trims make is off the mean that it stands for. Units: pixels.
 inline double l3d_trimmed_snap(const l3d_dice_view& view) {
     return l3d_snap_error<double>(l3d_guard_band) + view.depth_rounding();
 }
 
 namespace l3d_detail {
 
-/// A point of a surface between `Corners` vertices, and the share that it has of each.
+/// A point of the surface between `Corners` vertices, and the weight of each vertex in it.
 template <std::size_t Corners> struct blended_point {
     std::array<double, Corners> shares{};
     l3d_micro_vertex vertex;
     l3d_patch_parameters uv;
-    double level = 0; ///< where vertices have levels; else `vertex` has its normal
+    double level =
+        0; ///< the point's level where vertices have levels; else `vertex` has its normal
 };
 
-/// Vertices that are interpolated before projection.
+/// Interpolates between vertices before projection.
 template <std::size_t Corners> struct corners {
     std::array<l3d_micro_vertex, Corners> at;
     std::array<double, Corners> w{};
@@ -52,7 +53,8 @@ template <std::size_t Corners> struct corners {
             w[i] = in.w_at(at[i].inv_w);
     }
 
-    /// A vertex that has all of the shares is itself, bit for bit.
+    /// The vertex at these shares. If one vertex has the share 1, the result is that vertex, bit
+    /// for bit.
     l3d_micro_vertex place(const std::array<double, Corners>& shares) const {
         double sum = 0, x = 0, y = 0;
         for (std::size_t i = 0; i < Corners; ++i) {
@@ -86,7 +88,7 @@ void put_by(const Surface& of, typename Surface::point& at, bool has_levels) {
         of.set_normal(at.shares, at.vertex);
 }
 
-/// A quad of a grid. Shares are those of p00, p10, p11 and p01.
+/// The surface of a quad of a grid. The shares are those of p00, p10, p11 and p01.
 struct quad_surface : corners<4> {
     using point = blended_point<4>;
 
@@ -107,7 +109,7 @@ struct quad_surface : corners<4> {
     /// Finds a point's vertex and light by its shares.
     void put(point& one, bool has_levels) const { put_by(*this, one, has_levels); }
 
-    /// Levels are those of levels_shader.
+    /// The level at these shares, by the rule of levels_shader.
     double level(const std::array<double, 4>& p) const {
         const double s = p[1] + p[2], t = p[2] + p[3];
         double result = 0;
@@ -117,9 +119,11 @@ struct quad_surface : corners<4> {
                4 * t * (1 - t) * ((1 - s) * double{bends.ad} + s * double{bends.bc});
     }
 
+    /// Bounds the errors that triangles make in parts of this quad.
+    ///
     /// About the middle of a part, a level is a parabola but for cubic terms, whose factors are 4
-    /// differences of bends. Nothing is farther from the middle than 2/3, and parabolas through six
-    /// points are at most 5/3 of what they go through: 4 (2/3)^3 (1 + 5/3) < 3.2.
+    /// differences of bends. No point is farther from the middle than 2/3, and parabolas through
+    /// six points are at most 5/3 of the values there: 4 (2/3)^3 (1 + 5/3) < 3.2.
     l3d_trim_error error(bool has_levels) const {
         l3d_trim_error result{.places_px = l3d_trimmed_snap(*view)};
         if (has_levels) {
@@ -133,8 +137,8 @@ struct quad_surface : corners<4> {
                              double{at[2].normal[k]} - double{at[3].normal[k]};
             twist += d * d;
         }
-        // Means of unit vectors are at least as long as the cosine of half of the widest angle
-        // between them, and the square of that is at least 1 - d^2 / 4 for a distance d.
+        // A mean of unit vectors is at least as long as the cosine of half of the widest angle
+        // between them. The square of that cosine is at least 1 - d^2 / 4 for a distance d.
         for (std::size_t i = 0; i < 4; ++i)
             for (std::size_t j = 0; j < i; ++j) {
                 double square = 0;
@@ -150,7 +154,7 @@ struct quad_surface : corners<4> {
     }
 };
 
-/// A triangle of a slit.
+/// The surface of a triangle of a slit.
 struct slit_surface : corners<3> {
     using point = blended_point<3>;
 

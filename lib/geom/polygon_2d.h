@@ -197,7 +197,7 @@ public:
     /// The corners that clipping has left, as indices of vertices.
     std::span<const std::uint32_t> clip_ivertices() const { return clip_ivertices_; }
 
-    /// Makes the clipped polygon the whole one again.
+    /// Undoes all clipping: the clipped polygon has the corners of the whole one again.
     void init_clip_ivertices() { clip_ivertices_ = ivertices_; }
 
     /// Cuts off the parts outside of a convex window; false, and no corners, if nothing is left.

@@ -94,7 +94,7 @@ std::string l3d_frame_report::json() const {
     return line.dump();
 }
 
-/// Lines about work that was left out for patches that were drawn.
+/// Makes lines about patches that were drawn, but of which some work could be left out.
 std::string l3d_frame_report::left_out_in_part() const {
     std::string text;
     if (dice.back_blocks > 0)

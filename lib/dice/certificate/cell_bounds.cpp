@@ -12,7 +12,8 @@ namespace {
 
 using l3d_detail::infinite;
 
-/// If a cell has more pieces than this, none are joined: each is a sheet that may end in the cell.
+/// The most pieces of a cell that are joined to sheets. If there are more, each piece is a sheet
+/// that may end in the cell.
 constexpr std::size_t most_pieces = 256;
 
 using l3d_detail::interval;
@@ -21,7 +22,8 @@ bool meet(double low_a, double high_a, double low_b, double high_b) {
     return low_a <= high_b && low_b <= high_a;
 }
 
-/// The parameters of a piece along a side of its patch, as sides are walked around the patch.
+/// The parameters of a piece along a side of its patch, in the direction in which one walks round
+/// the patch.
 interval along_side(const l3d_cell_bounds::member& p, std::size_t side) {
     switch (side) {
     case 0:
@@ -44,7 +46,7 @@ struct meeting {
             return;
         is_there = p.of == q.of && meet(p.u0, p.u1, q.u0, q.u1) && meet(p.v0, p.v1, q.v0, q.v1);
         look_beyond(p, q, true);
-        look_beyond(q, p, false); // only halves know of what they are halves
+        look_beyond(q, p, false); // only the half knows the side that it is a half of
     }
 
 private:
@@ -127,7 +129,7 @@ void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uin
     }
 }
 
-/// Joins all pieces that meet in the cell to sheets. The root of a sheet holds its facts.
+/// Joins all pieces that meet in the cell to sheets. The facts about a sheet are kept at its root.
 void l3d_cell_bounds::connect() {
     const bool are_too_many = pieces_.size() > most_pieces;
     for (std::size_t i = 0; i < members_.size(); ++i)
@@ -148,9 +150,9 @@ void l3d_cell_bounds::connect() {
             sheets_[root_of(i)].may_end = true;
 }
 
-/// Finds the sheets in the cell. A sheet that does not end there fills the cell if one of its
-/// places is in it, and is absent if it misses the cell's middle. Pieces that trims leave nothing
-/// of only end the sheets that they are joined to.
+/// Finds which sheets are in the cell. A sheet that does not end there fills the cell if one of its
+/// places is in it. It is absent if it misses the cell's middle. Pieces that trims remove wholly
+/// are not seen; they only end the sheets to which they are joined.
 void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& view,
                                double margin) {
     const double x = (cell.left + cell.right) / 2, y = (cell.top + cell.bottom) / 2;
@@ -174,7 +176,8 @@ bool l3d_cell_bounds::may_be_seen(std::size_t i, double farthest) const {
            members_[i].nearest <= farthest;
 }
 
-/// The w beyond which everything is hidden; infinite where the background may be seen.
+/// Finds the w beyond which everything is hidden, and marks the sheets that are seen. It is
+/// infinite where the background may be seen.
 double l3d_cell_bounds::farthest_seen() {
     double result = infinite;
     for (std::size_t i = 0; i < pieces_.size(); ++i)

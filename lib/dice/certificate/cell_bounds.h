@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_cell_bounds: bounds of the exact picture in a part of a pixel.
+// l3d_cell_bounds: bounds the exact picture in a part of a pixel.
 #ifndef L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
 #define L3D_DICE_CERTIFICATE_CELL_BOUNDS_H
 
@@ -13,12 +13,12 @@
 #include <span>
 #include <vector>
 
-/// Judges cells by the pieces that reach into them.
+/// Bounds the light of the exact picture in cells, from the pieces that reach into them.
 ///
-/// Pieces that meet make a sheet. A sheet of which no piece ends, folds or breaks in the cell
-/// either fills the cell or lies outside it (NUMERICS, The map of doubt).
+/// Pieces that meet make a sheet. Suppose that no piece of a sheet ends, folds or breaks in the
+/// cell. Then the sheet either fills the cell or lies outside it (NUMERICS, The map of doubt).
 /// Lives: kept for its memory.
-/// Cost:  grows with the square of the pieces.
+/// Cost:  grows with the square of the number of pieces.
 class l3d_cell_bounds {
 public:
     /// Bounds the exact picture in a cell.
@@ -27,25 +27,25 @@ public:
                             std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
                             const l3d_light_bounds& background);
 
-    /// Whether a cell, grown by the bound of places, shows a single surface, even if each surface
-    /// is drawn nearer or farther by its bound.
+    /// Whether a cell, grown by the bound of places, certainly shows a single surface. That must
+    /// hold even if each surface is drawn nearer or farther by its bound.
     /// Shape: `touching` as in judge().
     bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
                         std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
 
-    /// Bounds the exact picture in a part of the cell that was judged last. Expects: a single
-    /// surface, or the background, was found to fill that cell.
+    /// Bounds the exact picture in a part of the cell that was judged last.
+    /// Expects: a single surface, or the background, was found to fill that cell.
     l3d_doubt_verdict judge_alone(const l3d_image_box& part,
                                   const l3d_light_bounds& background) const;
 
-    /// Sets the flags of the pieces that may be seen in the cell that was judged last. Sheets that
-    /// are wholly hidden there need no bounds: nearer surfaces hide them, also in parts of the
-    /// cell.
+    /// Sets the flags of the pieces that may be seen in the cell that was judged last. Other sheets
+    /// are wholly hidden there. Smaller cells need no bounds of them, since nearer surfaces hide
+    /// them there, too.
     void mark_seen(std::vector<bool>& pieces) const;
 
-    /// The facts on a piece that tell which others it meets.
+    /// The facts about a piece that decide which others it meets.
     struct member {
-        l3d_image_box part; ///< part of the piece's box that is in the cell
+        l3d_image_box part; ///< the part of the piece's box that lies in the cell
         double u0, u1, v0, v1;
         const l3d_doubt_patch* of;
         unsigned sides; ///< bits of the sides that it reaches
@@ -55,7 +55,7 @@ public:
     };
 
 private:
-    /// Pieces that are connected in the cell, and perhaps further ones.
+    /// A sheet: pieces that are connected in the cell, and perhaps further ones.
     struct sheet {
         bool may_end = false; ///< whether it may end or fold in the cell
         bool is_there = false, may_be_there = false;
@@ -69,16 +69,16 @@ private:
     void connect();
     void look_for(const l3d_image_box& cell, const l3d_dice_view& view, double margin);
     double farthest_seen();
-    /// Whether a piece may be seen in front of what is farther than this.
+    /// Whether a piece may be seen, if everything beyond w = `farthest` is hidden.
     bool may_be_seen(std::size_t i, double farthest) const;
-    /// The member that stands for the sheet of another one.
+    /// The index of the member that stands for the sheet of member i.
     std::size_t root_of(std::size_t i) const { return joined_.find(i).line; }
 
     static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
     std::vector<const l3d_doubt_leaf*> pieces_;
     std::vector<member> members_;      ///< members for pieces_, in order
-    l3d_detail::directed_sets joined_; ///< members of a sheet, without regard to directions
+    l3d_detail::directed_sets joined_; ///< which members form a sheet; directions do not count
     std::vector<sheet> sheets_;        ///< valid for roots
     std::size_t only_ = nowhere;       ///< the root of the sheet that is seen alone
 };

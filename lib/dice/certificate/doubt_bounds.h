@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_doubt_bounds: bounds of a piece's place and light in the exact picture.
+// l3d_doubt_bounds: bounds where a piece is in the exact picture, and its light there.
 #ifndef L3D_DICE_CERTIFICATE_DOUBT_BOUNDS_H
 #define L3D_DICE_CERTIFICATE_DOUBT_BOUNDS_H
 
@@ -25,7 +25,7 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 } // namespace l3d_detail
 
-/// A lamp of the exact picture.
+/// A far lamp that lights the exact picture.
 struct l3d_doubt_lamp {
     l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< unit vector towards the lamp, in the world
     l3d_light_color color{1, 1, 1};                 ///< parts of white
@@ -36,11 +36,12 @@ struct l3d_doubt_lighting {
     l3d_light_color ambient{};
     std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
-    double depth_scale = 1; ///< w / distance along the view axis, from the eye of w
-    double nearer = 0;      ///< distance by which the camera's eye is nearer than the eye of w
+    double depth_scale =
+        1; ///< w for each unit of distance along the view axis, from the eye that w counts from
+    double nearer = 0; ///< how much nearer the camera's own eye is than that eye
 };
 
-/// A patch that stands in the picture.
+/// A patch that stands in the picture, with the facts that all its pieces share.
 struct l3d_doubt_patch {
     std::uint32_t instance = 0, patch = 0;
     double error_xy = 0, error_w = 0; ///< errors of its homogeneous points
@@ -48,7 +49,7 @@ struct l3d_doubt_patch {
     double normal_off = 0;            ///< error of its normals, which are as long as the model's
     double turned = 0;                ///< distance of its unit normals from the surface's
     const l3d_side_pairs* sides = nullptr; ///< neighbours in its model
-    /// Whether its back need not be drawn, and the sign of the facing that is the back.
+    /// Whether its back need not be drawn, and which sign of `facing` means its back.
     bool one_sided = false;
     double back = 1;
     l3d_color_parts color{1, 1, 1}; ///< colour of its material
@@ -57,20 +58,21 @@ struct l3d_doubt_patch {
     /// The frame's lights and fog; null for one white light without highlights and fog.
     const l3d_doubt_lighting* lighting = nullptr;
 
-    /// Whether it looks like another one in the same light.
+    /// Whether it looks like another patch in the same light.
     bool looks_like(const l3d_doubt_patch& other) const {
         return color == other.color && highlight == other.highlight && sharpness == other.sharpness;
     }
 };
 
-/// A part of an exact patch. Its normals are in the world.
+/// A part of an exact patch, made by halving. Its normals are in the world.
 struct l3d_doubt_piece : l3d_exact_part {
     const l3d_doubt_patch* of = nullptr;
-    /// How much of it its face's trims leave. A part's border runs through it.
+    /// How much of the piece the trims of its face leave. In a `part`, a border runs through it.
     enum class left : unsigned char { all, part, none } there = left::all;
-    l3d_trim_region trims; ///< that part, in the patch's parameters; empty unless it is a part
+    l3d_trim_region trims; ///< the region that is left, in the patch's parameters, if `there` is
+                           ///< part; else empty
 
-    /// Takes what trims leave of it.
+    /// Sets the region that trims leave of the piece. Expects: the region lies in the piece.
     void take(l3d_trim_region region) {
         const l3d_trim_box box{{u0, v0}, {u1, v1}};
         there = region.is_all_of(box)    ? left::all
@@ -85,24 +87,23 @@ struct l3d_doubt_piece : l3d_exact_part {
     }
 };
 
-/// Grey levels of the exact picture: ambient light, and the most that the cosine adds.
+/// Grey levels of the exact picture: that of ambient light, and the most that the cosine adds.
 inline constexpr double l3d_ambient_level = 25.5, l3d_cosine_level = 229.5;
 
-/// The settings that a frame's pieces share.
-///
-/// Units: pixels from the picture's top left corner; w as l3d_dice_view has it.
+/// The view, the light and the background that all pieces of a frame share.
 struct l3d_doubt_view {
     l3d_dice_view view;
-    /// Takes (x, y, w) to the world, as seen from the eye. Shape: its columns.
+    /// Maps (x, y, w) to vectors of the world, as seen from the eye. Shape: the columns of the
+    /// matrix.
     std::array<l3d_vector<double, 3>, 3> world_of_image{};
     l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
-    /// The lamps and the fog of a frame that has more than the one white `light`.
+    /// The lamps and the fog, for a frame that has more than the one white `light`.
     l3d_doubt_lighting lighting{};
-    /// Bounds of drawn places: in the picture, and along the normal.
+    /// Bounds of the drawn frame: of places in the picture, and of depth along the normal.
     double bound_px = 0, depth_bound_px = 0;
     l3d_background background{}; ///< not none
 
-    /// The background's light in a row of pixels.
+    /// The light of the background in a row of pixels.
     l3d_light_bounds background_light(int row) const {
         const std::uint32_t word = background.word(row, view.size.height);
         const std::array<double, 3> channels{l3d_light_of_level(word >> 16 & 255),
@@ -112,47 +113,48 @@ struct l3d_doubt_view {
     }
 };
 
-/// Bounds of a number that changes over a piece. The number lies between `least` and `most`, and
-/// within `off` of at(x, y), a linear function of the place.
+/// Bounds of a number that changes over a piece. The number lies between `least` and `most`. It is
+/// also within `off` of at(x, y), a linear function of the place in the picture.
 struct l3d_doubt_line {
     double least = 0, most = 0;
-    double middle = 0, along_x = 0, along_y = 0, off = 0; ///< places count from the piece's own
+    double middle = 0, along_x = 0, along_y = 0,
+           off = 0; ///< places count from the piece's own place
 
     double at(double x, double y) const { return middle + along_x * x + along_y * y; }
 };
 
-/// Bounds of two cosines of a piece's normals, which are turned to the eye: `lit` with the
-/// direction to a lamp, `facing` with the half-way vector between lamp and eye.
+/// Bounds of two cosines of a piece's normals, for one lamp. `lit` is the cosine with the direction
+/// to the lamp; `facing` that with the half-way vector between lamp and eye. Normals are turned to
+/// the eye.
 struct l3d_doubt_cosines {
     l3d_doubt_line lit, facing;
 };
 
-/// Bounds of a piece's place, depth and light in a picture.
-///
-/// Units: pixels from the picture's top left corner.
+/// Bounds of a piece's place, depth and light in the exact picture.
 struct l3d_doubt_bounds {
     l3d_image_box box;         ///< holds the whole piece
     double at_x = 0, at_y = 0; ///< the piece's own place, from which lines count
     unsigned open_sides = 0;   ///< bits of the sides where the surface ends
-    bool may_end = false;      ///< the near or the far plane may cut it, or trims do
-    int facing = 0;            ///< the sign of the normal along the line of sight; 0: perhaps both
-    bool may_be_missing = false; ///< whether its back is seen, and not drawn
+    bool may_end = false;      ///< the near or the far plane may cut it, or trims cut it
+    int facing = 0; ///< the sign of the normal along the line of sight; 0 if it may have both signs
+    bool may_be_missing = false; ///< whether its back may be seen, and is not drawn
 
     l3d_doubt_line w;
-    /// The relative difference of w between the drawn and the exact piece.
+    /// The largest relative difference of w between the drawn and the exact piece.
     double w_margin = 0;
-    l3d_doubt_line level; ///< above ambient light; where it is below 0, there is only ambient light
+    l3d_doubt_line level; ///< level above ambient light; a negative one means ambient light alone
 
-    /// Cosines for each lamp, if the patch has lighting; none if nothing is known. With lamps, the
-    /// line of `level` tells only how well it is known.
+    /// The cosines for each lamp, if the patch has lighting. It is empty if nothing is known. With
+    /// lamps, `level.off` only tells how well the level is known.
     std::vector<l3d_doubt_cosines> lamps;
 
-    /// The linear map from a place to parameters from -1/2 to 1/2. Shape: du/dx, du/dy, dv/dx,
-    /// dv/dy.
+    /// The linear map from a place to the piece's parameters, which run from -1/2 to 1/2. Shape:
+    /// du/dx, du/dy, dv/dx, dv/dy.
     std::array<double, 4> parameters{};
-    double u_off = 0, v_off = 0; ///< largest error of the parameters; infinite: not known
+    double u_off = 0, v_off = 0; ///< largest error of that map; infinite if it is not known
     double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
-    double point_off = 0; ///< the part of that by which points err, however small the piece is
+    double point_off =
+        0; ///< the part of picture_off that smaller pieces have, too: the error of points
 
     /// Whether the piece may reach into a box.
     bool touches(const l3d_image_box& other) const;
@@ -167,17 +169,18 @@ struct l3d_doubt_bounds {
     std::array<double, 2> range(const l3d_doubt_line& of, const l3d_image_box& in) const;
 };
 
-/// A piece and its bounds.
+/// A piece that is not halved further, and its bounds.
 struct l3d_doubt_leaf {
     l3d_doubt_piece piece;
     l3d_doubt_bounds bounds;
-    bool has_no_area = false; ///< it is seen exactly from its edge, and adds no light to any cell
+    bool has_no_area = false; ///< it is seen from its edge, so it adds no light to any cell
 
-    /// Whether trims leave nothing of it. It is kept since the surface ends where it meets others.
+    /// Whether trims leave nothing of the piece. It is kept because a sheet that meets it ends
+    /// there.
     bool is_gone() const { return piece.there == l3d_doubt_piece::left::none; }
 };
 
-/// Bounds a piece in a view. Cost: a microsecond.
+/// Bounds the place, depth and light of a piece in a view. Cost: a microsecond.
 l3d_doubt_bounds l3d_bounds_of(const l3d_doubt_piece& piece, const l3d_doubt_view& view);
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// cosines, put_lamps: bounds by quotients of polynomials.
+// cosines, put_lamps: bound cosines as quotients of polynomials.
 #include "dice/certificate/doubt_cosines_p.h"
 
 #include <algorithm>
@@ -10,15 +10,19 @@ namespace {
 using vector = l3d_normal_polynomial::vector;
 constexpr std::size_t order = l3d_normal_polynomial::order;
 
-/// If a normal's cosine with the common axis is smaller, only bounds of -1 and 1 are known.
+/// The least cosine of normals with their common axis. If one is smaller, only the bounds -1 and 1
+/// are known.
 constexpr double least_cosine = 1.0 / 16;
 
-/// The half-way vector between lamp and eye over a piece, nearly a linear function of the place.
+/// The half-way vector between lamp and eye, for all places of a piece. It is nearly a linear
+/// function of the place.
 struct half_way {
     vector middle{0.0, 0.0, 0.0}, along_x{0.0, 0.0, 0.0}, along_y{0.0, 0.0, 0.0};
     double reach = 2; ///< its largest distance from `middle`
     double off = infinite;
 
+    /// Finds the linear function and its error.
+    ///
     /// If v changes by d, the unit vector v / |v| changes by at most p = |d| / |v|, with the least
     /// |v|. It is within 0.58 p^2 of linear (NUMERICS, The map of doubt). The vector e from the eye
     /// is linear in the place. So this error counts twice: for e / |e|, and for the half-way
@@ -52,7 +56,7 @@ struct half_way {
     }
 };
 
-/// The most by which the brightest channel's level changes for each unit of a cosine.
+/// How many levels the brightest channel changes at most for each unit of a cosine.
 /// Shape: for n.l, then for n.h.
 std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lamp,
                             double most_facing) {
@@ -66,7 +70,7 @@ std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lam
             255 * mirrored * k * std::pow(std::max(most_facing, 0.0), k - 1)};
 }
 
-/// The error of a line, or half of its range where that is less.
+/// The error of a line, or half of its range if that is less.
 double off_of(const l3d_doubt_line& line) {
     return std::min(line.off, (line.most - line.least) / 2);
 }
@@ -97,9 +101,9 @@ seen_normals::seen_normals(const std::array<vector, count>& normals) {
     most_slope = std::sqrt(slope);
 }
 
-/// With n = q (a + r), where a is the normals' axis and r is across it, the cosine is (a.l + r.l) /
-/// sqrt(1 + r.r). Here r.l is a quotient of polynomials, which is bounded like a piece's picture.
-/// Normals are known to within `normal_off`.
+/// Bounds n.l / |n|. With n = q (a + r), where a is the normals' axis and r is across it, the
+/// cosine is (a.l + r.l) / sqrt(1 + r.r). Here r.l is a quotient of polynomials, which is bounded
+/// like a piece's picture. Normals are known to within `normal_off`.
 cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const vector& light) {
     if (!(seen.most_slope < infinite))
         return;
@@ -164,7 +168,7 @@ void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& 
     into.most = most;
 }
 
-/// Sets the lamps' cosines; either sign is possible where the piece may show both sides.
+/// Sets the lamps' cosines. Where the piece may show both sides, either sign is possible.
 void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,
                const l3d_doubt_view& view) {
     const l3d_doubt_lighting& lighting = *piece.of->lighting;

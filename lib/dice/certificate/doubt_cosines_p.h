@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// cosines, put_lamps: cosines of a piece's normals with a direction, and with all lamps of a frame.
+// cosines, put_lamps: bound the cosines of a piece's normals with one direction, and with all lamps
+// of a frame.
 #ifndef L3D_DICE_CERTIFICATE_DOUBT_COSINES_P_H
 #define L3D_DICE_CERTIFICATE_DOUBT_COSINES_P_H
 
@@ -11,11 +12,12 @@
 
 namespace l3d_detail {
 
-/// Rounding of sums of a few dozen products in double, some 2^-53 each, with much to spare.
+/// Bounds the relative rounding of sums of a few dozen products in double. Each operation adds
+/// 2^-53, so there is much to spare.
 inline constexpr double rounding = 0x1p-40;
 
-/// The linear function of a piece's parameters, from -1/2 to 1/2, that is nearest to values at the
-/// four corners.
+/// A linear function of a piece's parameters, which run from -1/2 to 1/2. Made of values at the
+/// four corners, it is as near to them as possible.
 struct plane {
     double middle = 0, in_u = 0, in_v = 0;
 
@@ -33,23 +35,23 @@ struct plane {
     double range() const { return std::abs(in_u) + std::abs(in_v); }
 };
 
-/// A piece's normals, split into parts along their common axis and across it.
+/// The coefficients of a piece's normals, split into parts along their common axis and across it.
 struct seen_normals {
     using vector = l3d_normal_polynomial::vector;
     static constexpr std::size_t count =
         l3d_normal_polynomial::order * l3d_normal_polynomial::order;
 
     vector axis{0.0, 0.0, 0.0};
-    std::array<double, count> along; ///< each normal's part along the axis
+    std::array<double, count> along; ///< the part along the axis of each one
     double most_along = 0;           ///< largest |along|
     double most_across = 0, longest = 0;
-    double most_slope = 0; ///< largest across / along; infinite if a normal is far from the axis
+    double most_slope = 0; ///< largest across / along; infinite if any is far from the axis
 
     explicit seen_normals(const std::array<vector, count>& normals);
 };
 
-/// Bounds of the cosine n.l of unit normals n over a piece: from `least` to `most`, and within
-/// `off` of `line`.
+/// Bounds of the cosine n.l of unit normals n over a piece. It lies between `least` and `most`, and
+/// within `off` of `line`.
 struct cosines {
     plane line{0, 0, 0, 0};
     double off = 1, least = -1, most = 1;
@@ -59,14 +61,14 @@ struct cosines {
             const l3d_normal_polynomial::vector& light);
 };
 
-/// Turns a linear function of the parameters into one of the place in the picture.
+/// Turns a linear function of the parameters, with its error, into one of the place in the picture.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b);
 
-/// Sets bounds to a line and its range, or to the range alone if the line is no better.
+/// Sets `into` to a line and its range, or to the range alone if the line says no more.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line);
 
-/// Sets the bounds for all lamps of the piece's lighting, and the level's spread, which tells
-/// whether halves of the piece would be better known.
+/// Sets the bounds of the cosines for all lamps of the piece's lighting. Also sets `level.off`: how
+/// far the light may be off, which tells whether halving the piece is worth while.
 /// Expects: all other bounds are set; w > 0.
 void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,
                const l3d_doubt_view& view);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// light_in, lone_sheet: light by levels of one white lamp, or by Blinn's rule and fog.
+// light_in, lone_sheet: bound light by the levels of one white lamp, or by Blinn's rule and fog.
 #include "dice/certificate/doubt_light_p.h"
 
 #include "raster/color/srgb_light.h"
@@ -9,17 +9,17 @@
 namespace l3d_detail {
 namespace {
 
-/// A cell whose level changes by more than this is cut into finer_cuts rows and columns, to average
-/// its light.
+/// If the level changes by more than even_levels over a cell, the cell is cut into finer_cuts rows
+/// and columns, to average its light.
 constexpr double even_levels = 4;
 constexpr int finer_cuts = 4;
 
-/// Lamps' mean light shall be known to within known_levels. Until it is, cells are cut into more
-/// rows and columns, as long as that reduces the spread by a quarter.
+/// The mean light of lamps should be known to within known_levels. Until it is, cells are cut into
+/// more rows and columns, as long as that reduces the spread by a quarter.
 constexpr double known_levels = 0.5, worth_while = 0.75;
 constexpr int most_cuts = 16;
 
-/// Bounds of a piece's levels above ambient light in a cell.
+/// Bounds a piece's levels above ambient light in a cell.
 interval levels_in(const l3d_doubt_bounds& b, const l3d_image_box& cell) {
     const auto [least, most] = b.range(b.level, cell);
     return {std::max(0.0, least), std::max(0.0, most)};
@@ -30,12 +30,12 @@ double level_at(const l3d_doubt_bounds& b, double x, double y) {
     return b.level.at(x - b.at_x, y - b.at_y);
 }
 
-/// The light of a level above ambient light, in a channel with the part `part` of white.
+/// The light of a level above ambient light, in a channel that has this part of white.
 double light_above_ambient(double level, double part) {
     return l3d_light_of_level(part * (l3d_ambient_level + std::max(0.0, level)));
 }
 
-/// Bounds of a material's light for levels between two bounds.
+/// Bounds a material's light for levels between two bounds.
 l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) {
     return l3d_light_bounds::by_parts(color, [&](double part) {
         return std::array{light_above_ambient(levels.low, part),
@@ -43,9 +43,9 @@ l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) 
     });
 }
 
-/// Bounds of the mean light of a cell whose level is between line - below and line + above. Light
-/// is a convex function of the level, and so of the place. So the mean over a square is at least
-/// the light in its middle, and at most the mean of its corners' light.
+/// Bounds the mean light of a cell whose level is between line - below and line + above. Light is a
+/// convex function of the level, and so of the place. So the mean over a square is at least the
+/// light in its middle, and at most the mean of its corners' light.
 interval mean_light(const l3d_doubt_bounds& line, double below, double above,
                     const l3d_image_box& cell, double part) {
     const double change =
@@ -67,11 +67,12 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
     return {sum.low / (cuts * cuts), sum.high / (cuts * cuts)};
 }
 
-/// Bounds of a lamp's light: scattered by a white surface, and mirrored by a perfect mirror.
+/// Bounds of a lamp's light, as a white surface scatters it and as a perfect mirror reflects it.
 struct lamp_amounts {
     interval scattered{0, 0}, mirrored{0, 0};
 
-    /// A lamp behind the surface adds nothing, so its mirrored light ends abruptly where n.l is 0.
+    /// Bounds both from the cosines. A lamp behind the surface adds nothing, so its mirrored light
+    /// ends abruptly where n.l is 0.
     lamp_amounts(const interval& lit, const interval& facing, const l3d_doubt_patch& of) {
         constexpr double of_lamps = 0.9;
         scattered = {of_lamps * std::max(0.0, lit.low), of_lamps * std::max(0.0, lit.high)};
@@ -84,14 +85,14 @@ struct lamp_amounts {
     }
 };
 
-/// Blends a channel's level with the fog's. The extremes are at the ends of the share's range.
+/// Blends a channel's level with the fog's. The extremes lie at the ends of the range of shares.
 interval faded(const interval& level, double fog, const interval& share) {
     const auto mean = [&](double of, double part) { return of + part * (fog - of); };
     return {std::min(mean(level.low, share.low), mean(level.low, share.high)),
             std::max(mean(level.high, share.low), mean(level.high, share.high))};
 }
 
-/// Bounds of the light of lamps and fog, from ranges of the cosines and of w.
+/// Bounds the light of lamps and fog, from ranges of the cosines and of w.
 l3d_light_bounds light_by_lamps(const l3d_doubt_patch& of, const light_ranges& ranges,
                                 const l3d_light_bounds& background) {
     const l3d_doubt_lighting& lighting = *of.lighting;
@@ -215,7 +216,7 @@ l3d_doubt_verdict lone_sheet::of_levels() const {
             std::min(levels.high - levels.low, below + above)};
 }
 
-/// Splits the cell into squares and averages their bounds.
+/// Bounds the mean light by lamps: splits the cell into squares and averages their bounds.
 l3d_light_bounds lone_sheet::mean_by_lamps(int cuts) const {
     const light_lines lines(best_->bounds);
     const double width = cell_.width() / cuts, height = cell_.height() / cuts;

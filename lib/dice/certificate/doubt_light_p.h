@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// light_in, lone_sheet: the light of pieces in a cell, from bounds of their levels or cosines.
+// light_in, lone_sheet: bound the light of pieces in a cell, from bounds of their levels or
+// cosines.
 #ifndef L3D_DICE_CERTIFICATE_DOUBT_LIGHT_P_H
 #define L3D_DICE_CERTIFICATE_DOUBT_LIGHT_P_H
 
@@ -23,8 +24,8 @@ struct interval {
     }
 };
 
-/// The numbers that decide the light of a piece: its level, or the cosines of all lamps and w. Each
-/// is nearly linear in the place.
+/// The lines that decide the light of a piece: its level alone, or the cosines for all lamps and w.
+/// Each is nearly linear in the place.
 struct light_lines {
     static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
 
@@ -35,20 +36,23 @@ struct light_lines {
 };
 using light_ranges = std::array<interval, light_lines::most>;
 
-/// Bounds of the light of a piece in a cell. `background` is used where fog has its colour.
+/// Bounds the light of a piece in a cell. `background` is the colour of fog that has none of its
+/// own.
 l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
                           const l3d_light_bounds& background);
 
-/// The mean light of a sheet that fills a cell, where nothing else is seen. It follows from the
-/// lines of the best known piece, and from how far all other pieces' lines differ.
+/// Bounds the mean light of a cell that a single sheet fills, and where nothing else is seen. It
+/// takes the lines of the best known piece, and how far the lines of all other pieces differ from
+/// them.
 class lone_sheet {
 public:
     lone_sheet(const l3d_image_box& cell, const l3d_light_bounds& background)
         : cell_(cell), background_(background) {}
 
-    /// Offers a piece as the best known one. Expects: all pieces are offered before any is added.
+    /// Offers a piece of the sheet; the best known one is kept. Expects: all pieces are offered
+    /// before any is added.
     void offer(const l3d_doubt_leaf& leaf);
-    /// Adds a piece that touches the cell.
+    /// Adds a piece of the sheet that touches the cell.
     void add(const l3d_doubt_leaf& leaf);
     l3d_doubt_verdict verdict() const;
 
@@ -63,8 +67,9 @@ private:
     const l3d_doubt_leaf* best_ = nullptr;
     const l3d_doubt_leaf* first_ = nullptr; ///< the leaf added last
     bool is_one_look_ = true, is_known_ = true;
-    l3d_light_bounds light_;       ///< light of all pieces added
-    light_ranges ranges_, beside_; ///< ranges of the lines; differences from the best piece's lines
+    l3d_light_bounds light_; ///< light of all pieces added
+    light_ranges ranges_,
+        beside_; ///< ranges of the lines, and of their differences from the best piece's lines
 };
 
 } // namespace l3d_detail

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_doubt_tile: bounds of the exact picture in a square part of it.
+// l3d_doubt_tile: bounds the exact picture in a square part of it.
 #ifndef L3D_DICE_CERTIFICATE_DOUBT_TILE_H
 #define L3D_DICE_CERTIFICATE_DOUBT_TILE_H
 
@@ -12,26 +12,27 @@
 #include <span>
 #include <vector>
 
-/// Bounds of a pixel of the exact picture. Units: parts of the pixel's square.
+/// Bounds of a pixel of the exact picture. Units: parts of the pixel's square, from 0 to 1.
 struct l3d_doubt_pixel {
-    /// The light of the part that is certain.
+    /// Bounds of the pixel's light: the sum of those of its cells.
     l3d_light_bounds light;
 
-    /// The part of which it is not certain what the exact picture shows.
+    /// The part in which it is not certain which surface the exact picture shows.
     double unsure = 0;
 
-    /// The part that may show another surface if surfaces are drawn within their bounds.
+    /// The part that may be drawn with another surface, if each surface is drawn within its bounds.
     double unsure_drawn = 0;
 
     /// The part that certainly shows one surface in the exact picture.
     double covered = 0;
 
-    /// Whether its light is worth being known better.
+    /// Whether smaller cells may bound its light better.
     bool is_open = true;
 };
 
-/// Cuts patches into pieces as small as pixels and judges each pixel. Uncertain cells are cut in
-/// four, and again, and so are the pieces that reach into them.
+/// Bounds the pixels of a tile. It halves patches into pieces as small as pixels and judges each
+/// pixel. Uncertain cells are cut in four, again and again, and so are the pieces that reach into
+/// them.
 ///
 /// Lives: kept from tile to tile for its memory.
 /// Cost:  some 7 us a pixel inside a surface, and a millisecond a pixel at an outline.
@@ -39,25 +40,25 @@ class l3d_doubt_tile {
 public:
     static constexpr int side = 32; ///< side of a tile, in pixels
 
-    /// Starts a tile. Lives: borrows the view until the next one.
+    /// Starts a tile. Lives: borrows the view until the next tile.
     void begin(const l3d_doubt_view& view, const l3d_pixel_box& tile);
 
     /// Adds a patch that may reach into the tile. Lives: borrows the piece's patch.
     void add(const l3d_doubt_piece& whole);
 
-    /// Judges all pixels. Shape: row by row, of the tile. Lives: until the next tile.
+    /// Bounds all pixels of the tile. Shape: row by row. Lives: until the next tile.
     std::span<const l3d_doubt_pixel> finish();
 
-    /// Pieces that have been cut in two, in all tiles so far.
+    /// The number of pieces that were cut in two, in all tiles so far.
     std::int64_t cuts() const { return cuts_; }
 
 private:
-    /// A square, and the questions still open in it. Shape: column and row in the tile, at the
-    /// present fineness.
+    /// A square of the picture, and the questions that are still open in it. Shape: column and row
+    /// in the tile, in units of the present fineness.
     struct cell {
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
-        l3d_light_bounds light{};       ///< its part of the pixel's certain light
+        l3d_light_bounds light{};       ///< its part of the pixel's `light`
         double unsure = 0, covered = 0; ///< its parts of the pixel's `unsure` and `covered`
     };
 
@@ -78,7 +79,8 @@ private:
 
     const l3d_doubt_view* view_ = nullptr;
     l3d_pixel_box tile_;
-    double grown_ = 0; ///< growth of cells by the bound of places
+    double grown_ =
+        0; ///< how far cells grow: the bound of places while a cell judges the drawing, else 0
     bool judges_drawing_ = false;
     int finest_drawing_ = 0;
     int fineness_ = 0; ///< cells are 2^-fineness pixels wide
@@ -88,8 +90,9 @@ private:
     std::vector<cell> cells_;
     std::vector<std::int32_t> grid_; ///< index in cells_ for each possible cell, or -1
     std::vector<l3d_doubt_leaf> leaves_, next_leaves_;
-    std::vector<bool> is_needed_; ///< whether some of each leaf may be seen later on
-    std::vector<std::uint32_t> first_, touching_; ///< leaves of each cell, in a row
+    std::vector<bool> is_needed_; ///< for each leaf, whether a smaller cell may still show it
+    std::vector<std::uint32_t> first_,
+        touching_; ///< the leaves that touch each cell, one cell after the other
     std::vector<l3d_doubt_pixel> pixels_;
     l3d_cell_bounds judge_;
 };

@@ -14,21 +14,21 @@ namespace {
 using vector = l3d_vector<double, 3>;
 using l3d_detail::infinite;
 
-/// Rounding of sums of light in double, and of the map's floats. Units: levels.
+/// Bounds the rounding of sums of light in double, and of the map's floats. Units: levels.
 constexpr double level_rounding = 1e-4;
 
-/// If places are bounded by more than this, pixels are not searched for other surfaces: any part of
+/// If the bounds are larger than this, pixels are not searched for other surfaces. Then any part of
 /// a pixel may show one.
 /// Units: pixels.
 constexpr double most_searched = 2;
 
-/// The rows for x, y and w of the matrix from the world, as seen from the eye, to the picture.
+/// The rows of x, y and w in the matrix that maps the world, as seen from the eye, to the picture.
 std::array<vector, 3> rows(const l3d_matrix<double>& m) {
     const auto row = [&](int i) -> vector { return {m(i, 0), m(i, 1), m(i, 2)}; };
     return {row(0), row(1), row(3)};
 }
 
-/// The columns of the inverse of the matrix from the world, as seen from the eye, to (x, y, w).
+/// The columns of the matrix that maps (x, y, w) to the world, as seen from the eye.
 /// Source: Cramer's rule.
 std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
     const auto [x, y, w] = rows(m);
@@ -37,8 +37,7 @@ std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
             l3d_cross<double>(x, y) * part};
 }
 
-/// The largest distance of a drawn pixel from bounds of its light, over the channels. Units:
-/// levels.
+/// How far a drawn pixel may be off, from bounds of its light, in the worst channel. Units: levels.
 double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     double result = 0;
     for (std::size_t i = 0; i < light.least.size(); ++i) {
@@ -49,12 +48,12 @@ double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     return std::min(result + level_rounding, 255.0);
 }
 
-/// Relative rounding of normals. Their coefficients are sums of some dozens of products of
-/// differences, followed by some dozens of halvings, and a matrix.
+/// Bounds the relative rounding of normals. Their coefficients are sums of some dozens of products
+/// of differences. Some dozens of halvings and a matrix follow.
 constexpr double normal_rounding = 0x1p-44;
 
-/// Upper bound of the length of an instance's normals. The largest component of a net is 1
-/// (l3d_normal_net) before a placement turns it.
+/// Bounds the length of an instance's normals. The largest component of a net is 1 (l3d_normal_net)
+/// before a placement turns it.
 double longest_normal(const l3d_patch_instance& instance) {
     double sum = 2;
     for (int row = 0; row < 3; ++row)
@@ -63,7 +62,7 @@ double longest_normal(const l3d_patch_instance& instance) {
     return sum;
 }
 
-/// All lamps of the frame, the first light before the further ones.
+/// All lamps of the frame. The first light comes first.
 std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vector& first) {
     std::vector<l3d_doubt_lamp> result{{first, frame.lighting.color}};
     for (std::size_t i = 0; i < frame.lighting.count; ++i) {
@@ -75,7 +74,7 @@ std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vecto
     return result;
 }
 
-/// The most that the edges are off which a patch's trims follow.
+/// The largest distance of the edges that a patch's trims follow from their faces.
 double off_edges(const l3d_patch_model& model, std::size_t patch) {
     double result = 0;
     if (const l3d_trim_region* const trims = model.trim(patch))
@@ -93,7 +92,7 @@ double determinant_of(const l3d_matrix<double>& m) {
 
 } // namespace
 
-/// Finds the patches that may reach the picture. Only their boxes are kept, since nets are large.
+/// Finds the patches that may reach the picture. It keeps only their boxes, since nets are large.
 void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
     sides_.clear(); // a new model may have the identity of a gone one
     patches_.clear();
@@ -116,7 +115,8 @@ void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
         const double back = determinant_of(instance.placement()) < 0 ? -1 : 1;
         for (std::size_t i = 0; i < model.patches().size(); ++i) {
             const double share = frame.view.share_of(instance.reach(model.reach(i).whole));
-            // The surface's error in the world's unit, and that of the edges at which it ends.
+            // The error of the surface, and that of the edges at which it ends, in the world's
+            // unit.
             const double off = instance.stretch() * (model.surface_error(i) + off_edges(model, i));
             placed p;
             p.of = {.instance = index,
@@ -169,7 +169,7 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
     return whole;
 }
 
-/// Bounds the light of a box's pixels: the weighted mean over all subsets of the transparent
+/// Bounds the light of a box's pixels. It is the weighted mean over all choices of the transparent
 /// instances that reach the box.
 std::vector<l3d_frame_doubts::pixel> l3d_frame_doubts::find_light(const l3d_doubted_frame& frame,
                                                                   const l3d_pixel_box& box,

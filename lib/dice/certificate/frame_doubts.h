@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_doubts: bounds each pixel's difference from the exact picture.
+// l3d_frame_doubts: bounds how far each pixel is off the exact picture.
 #ifndef L3D_DICE_CERTIFICATE_FRAME_DOUBTS_H
 #define L3D_DICE_CERTIFICATE_FRAME_DOUBTS_H
 
@@ -17,65 +17,65 @@
 #include <map>
 #include <vector>
 
-/// A drawn frame, with its bounds.
-///
-/// Lives: borrows all that it refers to.
+/// A drawn frame and its bounds, whose pixels are to be judged.
 struct l3d_doubted_frame {
     const l3d_patch_scene& scene;
-    const l3d_matrix<double>& to_image; ///< takes the world to the view's units
+    const l3d_matrix<double>& to_image; ///< maps the world to the view's units
     const l3d_dice_view& view;
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
-    /// Bounds of places and of depth; infinite if there is none. Units: pixels.
+    /// Bounds of places and of depth; infinite if the frame has none. Units: pixels.
     double bound_px, depth_bound_px;
-    l3d_curved_error curved{}; ///< how far the patches of curved models are off
-    /// Whether the frame shows Lambert's levels of one white light, without highlights and fog;
-    /// else `lighting` counts.
+    l3d_curved_error curved{}; ///< how far patches of curved models are off their surfaces
+    /// Whether the frame shows Lambert's levels of one white light, without highlights and fog. If
+    /// not, `lighting` and `fog` count.
     bool has_levels = true;
     l3d_lighting lighting{}; ///< lights, without the direction of the first one
     l3d_fog fog{};
-    double nearer = 0;           ///< distance by which the camera's eye is nearer than the eye of w
-    l3d_pixels drawn;            ///< greys in all three channels, or any colours
+    double nearer = 0; ///< how much nearer the camera's own eye is than the eye that w counts from
+    l3d_pixels drawn;  ///< greys in all three channels, or any colours
     l3d_background background{}; ///< the exact background behind all surfaces; not none
 };
 
-/// Bounds the exact picture from the exact patches, and compares the drawn one with it (NUMERICS,
-/// The map of doubt). The bounds do not depend on how the picture was drawn.
+/// Bounds the exact picture from the exact patches, and compares the drawn picture with the bounds
+/// (NUMERICS, The map of doubt). The bounds do not depend on how the picture was drawn.
 ///
 /// Cost: some 7 us a pixel that shows a surface, and a millisecond a pixel at an outline.
 class l3d_frame_doubts {
 public:
-    /// Bounds the pixels of a frame. Expects: light that is not 0; a picture of the view's size.
+    /// Bounds the pixels of a frame. Expects: a light that is not 0; a drawn picture of the view's
+    /// size.
     void find(const l3d_doubted_frame& frame, l3d_workers& workers);
 
-    /// The bound of each pixel of the last frame, in levels.
+    /// For each pixel of the last frame, how far it may be off. Units: levels of 255.
     const l3d_error_map& map() const { return map_; }
 
-    /// The part of each pixel's square, from 0 to 1, that may show another surface; the largest is
-    /// coverage_bound. 1 everywhere if that is infinite.
+    /// For each pixel, the part of its square, from 0 to 1, that may show another surface than the
+    /// exact picture. It is 1 everywhere if coverage_bound() is infinite.
     const l3d_error_map& coverage() const { return coverage_; }
 
     /// The largest part of any pixel's square that may show another surface than in the exact
     /// picture, from 0 to 1. Infinite if places or depth have no bound.
     double coverage_bound() const { return coverage_bound_; }
 
-    /// The largest bound of any pixel that lies inside one surface or the background. It is
-    /// infinite if no pixel lies inside a surface, and some lie in neither.
+    /// The largest bound of any pixel that lies inside one surface or shows the background alone.
+    /// It is infinite if the frame has uncertain pixels, but none that lies inside a surface.
     /// Units: levels.
     double color_bound() const { return color_bound_; }
 
-    /// Pieces of patches that have been cut in two, in all frames so far: the map's cost.
+    /// The number of pieces that were cut in two, in all frames so far: a measure of the map's
+    /// cost.
     std::int64_t cuts() const;
 
 private:
-    /// A patch, and the box in the picture that it lies in.
+    /// A patch, and its box in the picture.
     struct placed {
         l3d_doubt_patch of;
         l3d_image_box box;
     };
-    /// Bounds of a pixel: the mean over all choices of transparent surfaces.
+    /// Bounds of a pixel. The light is the mean over all choices of transparent surfaces.
     struct pixel {
         l3d_light_bounds light;
-        double unsure = 0, unsure_drawn = 0, covered = 0; ///< the most of any choice
+        double unsure = 0, unsure_drawn = 0, covered = 0; ///< the largest parts of any choice
     };
     struct tile_result {
         double coverage = 0, color = 0;

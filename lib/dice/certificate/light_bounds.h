@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_light_bounds: least and most light of red, green and blue.
+// l3d_light_bounds: least and most light of each channel.
 #ifndef L3D_DICE_CERTIFICATE_LIGHT_BOUNDS_H
 #define L3D_DICE_CERTIFICATE_LIGHT_BOUNDS_H
 
@@ -10,22 +10,22 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The parts of white that a material has, red first.
+/// A colour as parts of white, red first.
 using l3d_color_parts = std::array<double, 3>;
 
-/// The parts of white of a pixel word.
+/// The colour of a pixel word as parts of white.
 inline l3d_color_parts l3d_parts_of(std::uint32_t word) {
     return {(word >> 16 & 0xff) / 255.0, (word >> 8 & 0xff) / 255.0, (word & 0xff) / 255.0};
 }
 
-/// Bounds of an amount of light. Units: linear, from 0 to 1; red first.
+/// Bounds of the light of each channel. Units: linear light from 0 to 1; red first.
 struct l3d_light_bounds {
     std::array<double, 3> least{}, most{};
 
     static l3d_light_bounds none() { return {}; }
     static l3d_light_bounds any() { return {{0, 0, 0}, {1, 1, 1}}; }
 
-    /// Bounds of each channel, from `of(part)`, the bounds of a channel with this part of white.
+    /// Makes bounds of each channel: of(part) returns those of a channel with this part of white.
     template <class Of> static l3d_light_bounds by_parts(const l3d_color_parts& parts, Of of) {
         l3d_light_bounds result;
         for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -38,7 +38,7 @@ struct l3d_light_bounds {
         return result;
     }
 
-    /// Adds a part of another light.
+    /// Adds another light, times `part`.
     void add(const l3d_light_bounds& other, double part = 1) {
         for (std::size_t i = 0; i < least.size(); ++i) {
             least[i] += part * other.least[i];
@@ -54,7 +54,7 @@ struct l3d_light_bounds {
         }
     }
 
-    /// The distance of the bounds in levels, in the worst channel.
+    /// How many levels the bounds are apart in the worst channel.
     double levels_apart() const {
         double result = 0;
         for (std::size_t i = 0; i < least.size(); ++i)
@@ -65,12 +65,12 @@ struct l3d_light_bounds {
     }
 };
 
-/// The result of judging a cell.
+/// The verdict on a cell of the exact picture.
 struct l3d_doubt_verdict {
-    bool is_certain = false; ///< one surface of one colour, or the background, fills it
+    bool is_certain = false; ///< one surface of one colour, or the background, fills the cell
     bool is_covered = false; ///< a surface of one colour fills it, not the background
-    l3d_light_bounds light = l3d_light_bounds::any(); ///< the mean over the cell
-    double spread = 0;                                ///< unknown spread of its light, in levels
+    l3d_light_bounds light = l3d_light_bounds::any(); ///< bounds of the mean over the cell
+    double spread = 0;                                ///< how far the light is unknown, in levels
 };
 
 #endif

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_edge_polyline: canonical direction, strips, steps from the edge's own bound.
+// l3d_edge_polyline: chooses direction, strips and steps of an edge, by the edge's own bound.
 #include "dice/edges/edge_polyline.h"
 
 #include "dice/drawn_error.h"
@@ -13,7 +13,7 @@
 
 namespace {
 
-/// 2^24 strips are more than any picture has pixels along an edge.
+/// The most halvings of an edge. 2^24 strips are more than any picture has pixels along an edge.
 constexpr int deepest = 24;
 
 /// Edges that are not small are halved twice, into four strips, as patches are.
@@ -41,7 +41,7 @@ double points_error(const l3d_image_curve& curve, const l3d_image_box& seen, boo
                                          : l3d_vertex_accuracy::crossing);
 }
 
-/// Both ends included.
+/// The number of points of strips, both ends included.
 std::size_t points_of(const l3d_block_starts& strips) {
     return static_cast<std::size_t>(strips.first[static_cast<std::size_t>(strips.blocks)]) + 1;
 }
@@ -51,8 +51,8 @@ std::size_t points_of(const l3d_block_starts& strips) {
 l3d_clip_vertex l3d_edge_polyline::clip_vertex(std::size_t i, const l3d_dice_view& view) const {
     l3d_clip_vertex result;
     if (strips_[0].blocks > 0) {
-        // The segment is drawn as it is; only one at a corner that rounding put out of range is
-        // clipped.
+        // The segment is drawn as it is. It is clipped only at a corner that rounding put out of
+        // range.
         const double w = view.w_at(inv_w_[i]);
         result.h = {(x_[i] - view.centre_x()) * w / l3d_subpixel_one,
                     (y_[i] - view.centre_y()) * w / l3d_subpixel_one, w};
@@ -147,7 +147,7 @@ void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_im
     vertex_error_ = strips.vertex_error;
 }
 
-/// Makes the edge in as few parts as will do; false if no number will.
+/// Makes the edge in as few parts as will do. Returns false if no allowed number will.
 bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_view& view) {
     std::array<l3d_image_curve, most_parts> parts{edge};
     for (std::size_t count = 2; count <= most_parts; count *= 2) {
@@ -159,7 +159,8 @@ bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_v
     return false;
 }
 
-/// Makes an edge of its parts, each an edge by itself; false if one of them is too long.
+/// Makes an edge of its parts, each like an edge by itself. Returns false if one of them is too
+/// long.
 bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view) {
     constexpr std::size_t at_once = l3d_detail::edges_at_once;
     std::array<l3d_detail::edge_strips, most_parts> strips;
@@ -228,14 +229,15 @@ void l3d_edge_polyline::join(const l3d_edge_polyline& first, const l3d_edge_poly
         h_[i] = {vertex.h[0], vertex.h[1], vertex.h[2]};
         drawable_[i] = vertex.drawable;
     }
-    // Parts of a third belong to no piece, so that all are closed point by point.
+    // With three parts, none has the parameters of a piece's side. So all pieces close their slits
+    // point by point.
     parts_ = 3;
     strips_[0] = has_strips ? first.strips() : l3d_block_starts();
     chord_error_ = std::max(first.chord_error_, second.chord_error_);
     vertex_error_ = std::max(first.vertex_error_, second.vertex_error_);
 }
 
-/// Makes any edge, in as many strips as it takes.
+/// Makes any edge, also one to be clipped, in as many strips as it takes.
 void l3d_edge_polyline::cut(const l3d_image_curve& edge, const l3d_dice_view& view) {
     t_.clear();
     x_.clear();

@@ -19,33 +19,35 @@ namespace l3d_detail {
 struct edge_strips;
 }
 
-/// Points of an edge (a patch boundary, or a line along which a patch was cut).
+/// The polyline at which all patches that share an edge end. An edge is a patch boundary, or a line
+/// along which a patch was cut.
 ///
-/// The points are a function of the edge's four control points and the view alone, not of the
-/// patch. So both neighbours compute the same bits, even if one runs along it backwards. Each
-/// neighbour fills the slit between its own boundary row and this polyline.
-/// Shape: points in order of rising t, from 0 to 1, one array per component.
-/// Cost:  at most 32 points a strip; edges halve where that is too coarse. 150 ns an edge of 24
-///        points, if it needs no clipping and is one of four (AVX-512).
+/// The points depend on the edge's four control points and the view alone, not on a patch. So both
+/// neighbours compute the same bits, even if one runs along the edge backwards. Each neighbour
+/// fills the slit between its own boundary row and this polyline.
+/// Shape: points in order of rising t, from 0 to 1, one array for each component.
+/// Cost:  at most 32 points a strip; an edge is halved where that is too coarse. 150 ns an edge of
+///        24 points, if it needs no clipping and is one of four (AVX-512).
 class l3d_edge_polyline {
 public:
-    /// Builds four lines at once, lines[k] for edges[k]. The points of edges[k] have the share
+    /// Builds four lines at once: lines[k] from edges[k]. The points of edges[k] have the share
     /// shares[k] of the view's errors.
     /// Expects: the view's near plane is no farther than that of points with the least share.
     static void build(std::span<l3d_edge_polyline, 4> lines,
                       const std::array<l3d_image_curve, 4>& edges, const l3d_dice_view& view,
                       const std::array<double, 4>& shares = {1, 1, 1, 1});
 
-    /// Builds the line of one edge. The points are the same, but it takes more than a quarter of
-    /// the time of four.
+    /// Builds the line of one edge. It has the same points as one of four, but takes more than a
+    /// quarter of the time of four.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
-    /// Becomes the line of an edge that consists of two others, as patches beyond it have them.
+    /// Makes the line of an edge of two others. The edge's two halves are sides of smaller patches
+    /// beyond it.
     /// Expects: `first` ends where `second` begins; both were built for this view.
     void join(const l3d_edge_polyline& first, const l3d_edge_polyline& second,
               const l3d_dice_view& view);
 
-    /// Reserves memory, so that no edge allocates here that would not in `other`.
+    /// Reserves memory, so that this line allocates for no edge for which `other` would not.
     void reserve_as(const l3d_edge_polyline& other);
 
     std::size_t size() const { return size_; }
@@ -54,16 +56,17 @@ public:
     const std::int32_t* y() const { return y_.data(); }
     const float* inv_w() const { return inv_w_.data(); }
 
-    /// A point in the form for clipping, without parameters and normal.
+    /// Point i in the form that clipping takes, without parameters and normal.
     l3d_clip_vertex clip_vertex(std::size_t i, const l3d_dice_view& view) const;
 
-    /// The number of equal parts, at most 16, that an edge consists of if all of its points can be
-    /// drawn. It is one, or as many as are needed so that 32 steps a strip are enough.
+    /// The number of equal parts that the edge was made of, at most 16. It is one, or as many as
+    /// are needed so that 32 steps a strip are enough.
     static constexpr std::size_t most_parts = 16;
     std::size_t parts() const { return parts_; }
 
-    /// The beginnings of a part's strips, counted in points of the whole edge. A part has one strip
-    /// or four of equal length, as a patch has. 0 blocks if not all points can be drawn.
+    /// Where the strips of a part begin, counted in points of the whole edge. A part has one strip,
+    /// or four of equal length, as a patch has. There are 0 strips if some points of the edge
+    /// cannot be drawn.
     const l3d_block_starts& strips(std::size_t part = 0) const { return strips_[part]; }
 
     /// The strips of the part from t0 to t1; null if there is no such part.
@@ -82,8 +85,8 @@ public:
         return static_cast<std::size_t>(std::upper_bound(first, first + size_ - 1, t) - first) - 1;
     }
 
-    /// Certified image error of the visible segments, in pixels: the error of chords between exact
-    /// points, and the error of the points themselves.
+    /// The certified error of the visible segments in the picture, in two parts. One is the error
+    /// of chords between exact points, the other that of the points themselves. Units: pixels.
     double chord_error() const { return chord_error_; }
     double vertex_error() const { return vertex_error_; }
     double bound() const { return chord_error_ + vertex_error_; }
@@ -105,7 +108,7 @@ private:
     std::vector<std::int32_t> x_, y_;
     std::vector<float> inv_w_;
 
-    // The points of edges without strips.
+    // The homogeneous points of edges without strips, and whether each can be drawn.
     std::vector<l3d_image_point> h_;
     std::vector<unsigned char> drawable_;
 

@@ -11,16 +11,16 @@
 #include <span>
 #include <vector>
 
-/// The edge polylines of one patch. Those of the next patch reuse their memory.
+/// The edge polylines of one patch. The next patch reuses their memory.
 ///
 /// Shape: outer edges are [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along
-///        v). Edges from [4] on are those along which the patch is cut.
+///        v). Edges from [4] on are cuts through the patch.
 class l3d_edge_polylines {
 public:
     static constexpr std::size_t sides = 4;
 
-    /// Builds the four outer edges of a patch, and forgets all others. Edges that patches share
-    /// must have the same share of the view's errors in all of them.
+    /// Builds the four outer edges of a patch, and forgets all other edges.
+    /// Expects: an edge has the same share of the view's errors in all patches that share it.
     void build(const l3d_image_patch& net, const l3d_dice_view& view,
                const std::array<double, sides>& shares = {1, 1, 1, 1}) {
         l3d_edge_polyline::build(std::span(edges_).first<sides>(),
@@ -29,8 +29,8 @@ public:
         used_ = sides;
     }
 
-    /// Builds an outer edge anew from its halves, `first` and `second`. Two smaller patches beyond
-    /// it have them as sides, each with its own share of the view's errors.
+    /// Builds an outer edge anew from its halves, `first` and `second`. They are sides of two
+    /// smaller patches beyond the edge, each with its own share of the view's errors.
     void build_halved(std::size_t side, const l3d_image_curve& first, const l3d_image_curve& second,
                       const l3d_dice_view& view, const std::array<double, 2>& shares) {
         l3d_edge_polyline::build(std::span(halves_).first<sides>(), {first, second, first, second},
@@ -46,7 +46,7 @@ public:
         return used_++;
     }
 
-    /// Reserves memory for as many edges as `other` has, each as large as its edge there, so that
+    /// Reserves memory for as many edges as `other` has, each as large as its edge there. Then
     /// building such edges allocates nothing.
     void reserve_as(const l3d_edge_polylines& other) {
         if (edges_.size() < other.edges_.size())

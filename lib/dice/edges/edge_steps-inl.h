@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps of strips of edges, from bounds of their chords' errors, a strip a lane.
+// Finds the steps of the strips of edges, from bounds of their chords' errors, a strip a lane.
 #if defined(L3D_DICE_EDGES_EDGE_STEPS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_DICE_EDGES_EDGE_STEPS_INL_H
 #undef L3D_DICE_EDGES_EDGE_STEPS_INL_H
@@ -21,12 +21,12 @@ namespace {
 constexpr std::size_t most_strips = l3d_block_starts::most_blocks;
 constexpr std::size_t lanes = edges_at_once * most_strips;
 
-/// One number per strip: strip s of edge e is lane 4 s + e.
+/// One number for each strip: lane 4 s + e is strip s of edge e.
 struct alignas(64) row {
     double at[lanes];
 };
 
-/// The four control values in one coordinate; or the four coefficients of powers of t.
+/// The four control values of a cubic in one coordinate, or its coefficients of powers of t.
 using cubic = std::array<row, 4>;
 
 /// The strips' control points: [coordinate][control point].
@@ -42,8 +42,8 @@ template <class V> V least_of(V a, V b, V c, V d) {
     return hn::Min(hn::Min(a, b), hn::Min(c, d));
 }
 
-/// The bound l3d_space_bound_of of strips from lane l on, not yet divided by w, and without the
-/// factor 6.
+/// Computes the bound of l3d_space_bound_of for strips from lane l on, not yet divided by w, and
+/// without the factor 6.
 HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) {
     const eight_doubles d;
     const number zero = same(0), one = same(1), scale = same(focal);
@@ -83,20 +83,21 @@ HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) 
     return most;
 }
 
-/// The data that differ from strip to strip when steps are planned.
+/// The demands of each strip on its steps.
 struct strip_wishes {
-    /// 1 / (4 budget): an edge gets half the budget, as each direction of a quad does, and less for
-    /// outlines, as rows along sides do. So an edge and the boundary row of a patch mostly have the
-    /// same steps, and the slit between them is empty.
+    /// 1 / (4 budget), times the factor for finer outlines, which rows along sides have, too. An
+    /// edge gets half the budget, as each direction of a quad does. So an edge and the boundary row
+    /// of a patch mostly have the same steps, and the slit between them is empty.
     row per_budget;
-    /// The factor by which balance changes squared steps: 8 l3d_balance, or 1 without balance.
+    /// The factor by which balance changes the square of the steps: 8 l3d_balance, or 1 without
+    /// balance.
     row balance;
     row grown_by; ///< largest move of vertices by balance
 };
 
-/// Plans the steps and chord errors of all strips, as l3d_second_bound_of and l3d_depth_bound_of
-/// do. The errors are those of unbalanced chords, as in slits. Only the first `used` lanes count;
-/// whole vectors are written.
+/// Finds the steps and chord errors of all strips, as l3d_second_bound_of and l3d_depth_bound_of
+/// do. The errors are those of unbalanced chords, as slits have them. Only the first `used` lanes
+/// count, but whole vectors are written.
 void plan_strips(const strip_nets& nets, std::size_t used, const l3d_image_box& window,
                  double focal, const strip_wishes& wishes, row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;

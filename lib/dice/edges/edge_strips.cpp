@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges in lanes: bounds and steps of all strips side by side, then the points of each.
+// Makes edges in lanes: bounds and steps of all strips side by side, then the points of each.
 #include "dice/edges/edge_strips_p.h"
 
 #include "geom/bezier_patch.h"
@@ -26,7 +26,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The halves of curves, as l3d_bezier_curve::split makes them.
+/// Halves curves as l3d_bezier_curve::split does.
 void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
     for (std::size_t l = 0; l < lanes; ++l) {
         const double a = (p[0].at[l] + p[1].at[l]) / 2, b = (p[1].at[l] + p[2].at[l]) / 2,
@@ -44,7 +44,7 @@ void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
     }
 }
 
-/// `edges` has coordinate k of edge e in lane 4 k + e, a whole edge each.
+/// Cuts each edge into four strips. `edges` has coordinate k of edge e in lane 4 k + e.
 void cut_in_four(const cubic& edges, strip_nets& out) {
     std::array<cubic, 2> halves;
     std::array<cubic, most_strips> strips;
@@ -58,7 +58,8 @@ void cut_in_four(const cubic& edges, strip_nets& out) {
                     out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
 }
 
-/// p(t) = c0 + t (c1 + t (c2 + t c3)), in the first lanes.
+/// Converts control values p to powers of t, p(t) = c0 + t (c1 + t (c2 + t c3)), in the first
+/// lanes.
 void to_powers(const cubic& p, std::size_t used, cubic& HWY_RESTRICT c) {
     for (std::size_t l = 0; l < used; ++l) {
         double a0 = p[0].at[l], a1 = p[1].at[l], a2 = p[2].at[l], a3 = p[3].at[l];
@@ -70,7 +71,7 @@ void to_powers(const cubic& p, std::size_t used, cubic& HWY_RESTRICT c) {
     }
 }
 
-/// Writes points one after the other.
+/// Writes the points of an edge one after the other.
 class point_writer {
 public:
     point_writer(const l3d_dice_view& view, const edge_strips& out)
@@ -79,9 +80,9 @@ public:
           w_middle_(view.w_middle), depth_slope_(is_parallel_ ? view.depth_slope() : 0), t_(out.t),
           x_(out.x), y_(out.y), inv_w_(out.inv_w) {}
 
-    /// Points i = 0 .. n - 1 of n steps of a strip, or in the opposite order; t = t_first + i
-    /// t_step along the edge as it was given. All but point 0 are moved by `balance` times the
-    /// second derivative.
+    /// Writes points 0 to n - 1 of a strip of n steps, or the same in opposite order. Point i has
+    /// the parameter t_first + i t_step of the edge as it was given. All points but point 0 are
+    /// moved by `balance` times the second derivative.
     void strip(const strip_nets& powers, std::size_t lane, int n, double balance, bool backwards,
                double t_first, double t_step) {
         const hn::ScalableTag<double> d;
@@ -112,7 +113,7 @@ public:
         advance(n);
     }
 
-    /// An end of the edge, a corner of its patches.
+    /// Writes an end of the edge, which is a corner of its patches.
     void corner(const l3d_image_point& h, double t, const l3d_dice_view& view) {
         const l3d_micro_vertex vertex = l3d_canonical_vertex(h, view).dice.vertex;
         *t_ = t;
@@ -163,7 +164,7 @@ private:
     float* inv_w_;
 };
 
-/// The properties of some whole edges, found before their strips.
+/// The facts about some whole edges that are found before their strips.
 struct edge_views {
     std::array<bool, edges_at_once> drawable, one_strip, backwards;
     std::array<double, edges_at_once> vertex_error{};
@@ -178,7 +179,8 @@ struct edge_points {
     edge_lanes x, y, w;
 };
 
-/// The part of safely_drawable that no section takes part in, in lanes.
+/// Whether a control point can be drawn, and by more than rounding of its neighbours can take.
+/// Sections are left to safely_left.
 edge_mask safely_before(const edge_points& h, edge_lanes near, const l3d_dice_view& view) {
     const edge_tag d;
     constexpr double slack = 0x1p-30;
@@ -188,7 +190,7 @@ edge_mask safely_before(const edge_points& h, edge_lanes near, const l3d_dice_vi
                    hn::And(hn::Le(hn::Abs(h.x), reach), hn::Le(hn::Abs(h.y), reach)));
 }
 
-/// Whether a section leaves a point by more than rounding of its neighbours can take.
+/// Whether a section leaves a point, and by more than rounding of its neighbours can take.
 bool safely_left(const l3d_image_point& h, const l3d_image_section& cut) {
     constexpr double slack = 0x1p-30;
     const double terms = std::abs(cut.normal[0] * h[0]) + std::abs(cut.normal[1] * h[1]) +
@@ -196,7 +198,7 @@ bool safely_left(const l3d_image_point& h, const l3d_image_section& cut) {
     return cut.distance(h) > slack * terms;
 }
 
-/// runs_backwards, in lanes.
+/// The same as runs_backwards, in lanes.
 edge_mask backwards_of(const edge_points (&p)[4]) {
     edge_mask result = hn::Lt(p[3].x, p[0].x), same = hn::Eq(p[3].x, p[0].x);
     const auto take = [&](edge_lanes from, edge_lanes to) HWY_ATTR {
@@ -211,12 +213,12 @@ edge_mask backwards_of(const edge_points (&p)[4]) {
     return result;
 }
 
-/// Numbers of some edges.
+/// A number for each edge.
 struct alignas(64) edge_numbers {
     double of[edges_at_once];
 };
 
-/// Boxes and sizes of some edges.
+/// The boxes of some edges, and the sizes of their coordinates.
 struct edge_extents {
     edge_numbers left, right, top, bottom, largest_xy, largest_w, least_w;
 
@@ -242,7 +244,7 @@ struct edge_extents {
         return {left.of[e], top.of[e], right.of[e], bottom.of[e]};
     }
 
-    /// The error of an edge's vertices in its seen part.
+    /// Bounds the error of an edge's vertices in its visible part.
     double vertex_error(std::size_t e, const l3d_image_box& seen, double share,
                         const l3d_dice_view& view) const {
         l3d_vertex_accuracy accuracy;
@@ -256,8 +258,8 @@ struct edge_extents {
     }
 };
 
-/// Views some edges, and turns the control points of those around that run backwards.
-/// Shape: coordinate k of edge e in lane 4 k + e.
+/// Finds the facts about some edges. Reverses the control points of edges that run backwards.
+/// Shape: `whole` has coordinate k of edge e in lane 4 k + e.
 edge_views view_edges(const std::array<l3d_image_curve, edges_at_once>& edges,
                       const std::array<double, edges_at_once>& shares, const l3d_dice_view& view,
                       cubic& whole) {
@@ -306,7 +308,7 @@ edge_views view_edges(const std::array<l3d_image_curve, edges_at_once>& edges,
     return result;
 }
 
-/// The wishes of some edges' strips.
+/// The demands of some edges' strips.
 strip_wishes wishes_of(const edge_views& seen, const l3d_dice_view& view) {
     strip_wishes wishes;
     for (std::size_t e = 0; e < edges_at_once; ++e) {
@@ -388,7 +390,8 @@ void make_edge_strips(const std::array<l3d_image_curve, edges_at_once>& edges,
                     for (std::size_t i = 0; i < 4; ++i)
                         nets[k][i].at[e] = whole[i].at[4 * k + e];
     } else {
-        // Vectors may be wider than the lanes in use, and chance numbers may be denormal: slow.
+        // Vectors may be wider than the lanes in use. Lanes behind get 0, since chance numbers may
+        // be denormal, which is slow.
         const std::size_t wide = std::max(used, hn::Lanes(hn::CappedTag<double, lanes>()));
         for (std::size_t k = 0; k < 3; ++k)
             for (std::size_t i = 0; i < 4; ++i) {

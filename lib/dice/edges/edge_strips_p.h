@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Edges that need no clipping, four at a time in the lanes of the processor.
+// Makes edges that need no clipping, four at a time in the lanes of the processor.
 #ifndef L3D_DICE_EDGES_EDGE_STRIPS_P_H
 #define L3D_DICE_EDGES_EDGE_STRIPS_P_H
 
@@ -12,11 +12,11 @@
 
 namespace l3d_detail {
 
-/// The number of edges that are worked on together.
+/// The number of edges that are made together.
 inline constexpr std::size_t edges_at_once = 4;
 
 /// Whether an edge's points are made from its last control point on. They begin at the
-/// lexicographically smaller end.
+/// lexicographically smaller end, so that both directions give the same bits.
 inline bool runs_backwards(const l3d_image_curve& edge) {
     const auto& p = edge.points;
     for (std::size_t i = 0; i < 2; ++i)
@@ -26,25 +26,25 @@ inline bool runs_backwards(const l3d_image_curve& edge) {
     return false;
 }
 
-/// The arrays that get an edge's points, and facts on them.
+/// The arrays to which an edge's points are written, and facts about the points.
 struct edge_strips {
-    /// Room for all points of an edge, and one vector of up to eight doubles, since vectors are
-    /// stored whole.
+    /// Room for all points of an edge and one vector of up to eight doubles more, since whole
+    /// vectors are stored.
     static constexpr std::size_t room =
         std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1 + 8;
 
-    double* t; ///< each array has room for `room` numbers
+    double* t; ///< each array has `room` numbers
     std::int32_t *x, *y;
     float* inv_w;
 
-    l3d_block_starts strips; ///< one or four; none if the edge needs clipping or more steps
+    l3d_block_starts strips; ///< one strip or four; none if the edge needs clipping or more steps
     double chord_error, vertex_error;
     bool too_long; ///< every control point can be drawn, but a strip needs more than 32 steps
 };
 
-/// Makes the points of edges whose control points can all be drawn and that need at most 32 steps a
-/// strip; `strips` of others are 0. The result depends on each edge alone, and is the same, in
-/// reverse order, for the reversed edge.
+/// Makes the points of ordinary edges: their control points can all be drawn, and they need at most
+/// 32 steps a strip. Other edges get no strips. The points depend on each edge alone, and are the
+/// same, in reverse order, for the reversed edge.
 /// Shape:  the points of edges[k] have the share shares[k] of the view's errors.
 /// Cost:   150 ns an edge of 24 points with AVX-512.
 /// Errors: points are evaluated in power form, see l3d_power_form_error.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_fill_gap, l3d_close_side: merging two polylines along one curve.
+// l3d_fill_gap, l3d_close_side: merge two polylines along one curve.
 #include "dice/edges/gap_filler.h"
 
 #include "dice/grid_light.h"
@@ -24,7 +24,7 @@ l3d_pixel_centres<std::int32_t> centres_between(std::int32_t a, std::int32_t b, 
     return l3d_centres_in(std::min(std::min(a, b), c), std::max(std::max(a, b), c));
 }
 
-/// Units: 1/256 pixel.
+/// The place of a pixel's centre along x or y. Units: 1/256 pixel.
 std::int32_t centre_of(std::int32_t pixel) {
     return (pixel << l3d_subpixel_bits) + l3d_subpixel_one / 2;
 }
@@ -34,14 +34,14 @@ std::int64_t turn(const slit_place& p, const slit_place& q, std::int32_t x, std:
     return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
-/// Whether triangles without a pixel's centre may be left out. Trims cut triangles and snap the
-/// corners of the rest, which may then hold a centre.
+/// Whether triangles without a pixel's centre may be left out. They may not where trims cut
+/// triangles: trims snap the corners of the rest, which may then hold a centre.
 bool counts_centres(const l3d_dice_view& view) {
     return !view.keep.centreless && view.trim == nullptr;
 }
 
-/// Whether a triangle certainly holds none of the centres of some columns and rows of pixels, its
-/// sides included. Lines of pixels run along the longer side of its box.
+/// Whether a triangle certainly holds none of the centres of some columns and rows of pixels, not
+/// even on its sides. It looks at each line of pixels along the longer side of the triangle's box.
 bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place& r,
                      const l3d_pixel_centres<std::int32_t>& columns,
                      const l3d_pixel_centres<std::int32_t>& rows) {
@@ -49,7 +49,7 @@ bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place&
     constexpr double slack = 0x1p-20; // far more than rounding, in pixels
     const bool by_rows = rows.last - rows.first <= columns.last - columns.first;
     const std::int32_t lines = by_rows ? rows.last - rows.first : columns.last - columns.first;
-    // From the pixel before the first one on, so that places are positive.
+    // Counts from the pixel before the first one, so that places are positive.
     const std::int32_t x = centre_of(columns.first - 1), y = centre_of(rows.first - 1);
     struct corner {
         double along, across;
@@ -81,9 +81,10 @@ bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place&
     return true;
 }
 
-/// Whether a triangle covers nothing: its box holds no pixel's centre, or its corners lie on one
-/// line, or none of the centres of its box lies in it or on its sides. Without `by_centres`, these
-/// are looked at only if there is a single one. Nearly all triangles of slits are so.
+/// Whether a triangle certainly covers no pixel's centre. That is known if its box holds no centre
+/// or its corners lie on one line. Else it is known if no centre of its box lies in it or on its
+/// sides. Without `by_centres`, that is tested only if the box has a single centre. Nearly all
+/// triangles of slits cover nothing.
 inline bool covers_nothing(const slit_place& p, const slit_place& q, const slit_place& r,
                            bool by_centres) {
     const auto along_x = centres_between(p.x, q.x, r.x);
@@ -99,8 +100,8 @@ inline bool covers_nothing(const slit_place& p, const slit_place& q, const slit_
     return looks && holds_no_centre(p, q, r, along_x, along_y);
 }
 
-/// Notes how far a triangle of a slit goes along the grid's side. A corner beyond the side's end
-/// has the level of that end, which no bound covers: then the span is infinite.
+/// Notes how far a triangle of a slit reaches along the grid's side. If a corner lies beyond the
+/// side's end, it has the level of that end, which no bound covers. Then the span is infinite.
 void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, double high) {
     const std::vector<double>& at = along_u ? out.u : out.v;
     if (at.size() < 2)
@@ -132,7 +133,8 @@ void add(l3d_clip_vertex a, l3d_clip_vertex b, l3d_clip_vertex c, float side, bo
     l3d_clip_triangle(a, b, c, view, out);
 }
 
-/// Notes the way from one point of an edge to the next, beside the triangle that was added last.
+/// Notes the segment from one point of an edge to the next as border of the triangle that was added
+/// last.
 void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
                l3d_diced_piece& out) {
     if (out.part.triangles.count == 0 || !l3d_clip_segment(a, b, view))
@@ -143,7 +145,7 @@ void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
     out.part.border.push_back(edge);
 }
 
-/// A side of a piece's grid as a row of vertices, and the edge it lies along.
+/// A side of a piece's grid: a row of vertices, and the edge along which it lies.
 class closing_side {
 public:
     closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
@@ -159,7 +161,7 @@ public:
           per_t_((parameters_.back() - parameters_.front()) / (t1 - t0)),
           at_zero_(parameters_.front() - per_t_ * t0) {}
 
-    /// Puts vertex i where the edge has its point j.
+    /// Moves vertex i of the row to the edge's point j.
     void take_over(std::size_t i, std::size_t j) {
         const std::size_t at = first_ + i * step_;
         grid_.x[at] = edge_.x()[j];
@@ -167,7 +169,7 @@ public:
         grid_.inv_w[at] = edge_.inv_w()[j];
     }
 
-    /// Adds the triangles between vertices i to i_end and points j to j_end.
+    /// Adds the triangles between vertices i to i_end of the row and points j to j_end of the edge.
     void fill(std::size_t i, std::size_t i_end, std::size_t j, std::size_t j_end) {
         const auto parameter_behind = [&](std::size_t at) {
             return at < j_end ? parameter_of(at + 1) : std::numeric_limits<double>::infinity();
@@ -206,7 +208,7 @@ private:
         return {{edge_.x()[j], edge_.y()[j]}, j, true, along};
     }
 
-    /// The same with the row's level at its parameter.
+    /// A corner with the row's level at its parameter.
     struct row_point {
         std::int32_t x, y;
         float inv_w, level;
@@ -215,7 +217,7 @@ private:
         l3d_micro_vertex lit(float a, float b, float c) const { return {x, y, inv_w, {a, b, c}}; }
     };
 
-    /// The point of a corner near the row's vertex `near`.
+    /// Gives a corner its level. It lies near the row's vertex `near`.
     row_point lit(const slit_corner& of, std::size_t near) const {
         const auto point = [&](float inv_w, float level) {
             return row_point{of.at.x, of.at.y, inv_w, level, of.along};
@@ -225,8 +227,8 @@ private:
         return point(edge_.inv_w()[of.index], piece_.has_levels ? level_at(of.along, near) : 0);
     }
 
-    /// Adds a triangle whose corners get the row's light at their parameters, near its vertex
-    /// `near`.
+    /// Adds a triangle near the row's vertex `near`. Its corners get the row's light at their
+    /// parameters.
     void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
         const float seen = side_beside(near);
         if (piece_.has_levels) {
@@ -258,9 +260,9 @@ private:
             }
     }
 
-    /// Factor of the light beside vertex i of the row: it turns light to the shown side of the quad
-    /// that begins there, or ends there at the last vertex. The turn of a slit's triangle is
-    /// chance.
+    /// The sign of the light beside vertex i of the row. It turns light to the side that the
+    /// neighbouring quad shows. That quad begins at the vertex, or ends there at the last vertex.
+    /// The turn of a slit's own triangle is chance.
     float side_beside(std::size_t i) const {
         const int quad = static_cast<int>(std::min(i, parameters_.size() - 2));
         return along_u_ ? l3d_side_of_quad(grid_, side_ == 1 ? grid_.rows - 2 : 0, quad, side_)
@@ -284,7 +286,7 @@ private:
         return {first_ + i * step_, first_ + (i + 1) * step_, static_cast<float>(part)};
     }
 
-    /// The row's level, a parabola between two vertices.
+    /// The row's level at a parameter: a parabola between two vertices.
     float level_at(double parameter, std::size_t near) const {
         const place at = place_of(parameter, near);
         const auto& level = grid_.normal[0];
@@ -302,7 +304,7 @@ private:
         l3d_make_unit(normal);
     }
 
-    /// The patch's parameter at a point of the edge.
+    /// The patch's parameter at point j of the edge.
     double parameter_of(std::size_t j) const { return at_zero_ + per_t_ * edge_.t()[j]; }
 
     l3d_diced_piece& piece_;
@@ -312,7 +314,8 @@ private:
     const std::vector<double>& parameters_;
     double across_;
     std::size_t first_, step_, side_;
-    double per_t_, at_zero_; ///< side's parameters by the edge's: whole powers of two
+    double per_t_, at_zero_; ///< the linear map from the edge's parameters to the side's; its
+                             ///< factors are powers of two
 };
 
 } // namespace
@@ -324,7 +327,7 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
     const l3d_dice_vertex &first = row.front().vertex.dice, &last = row.back().vertex.dice;
     const double* t = edge.t();
 
-    // An edge point on this side of the surface: parameters and light along the row.
+    // Gives point j of the edge the row's parameters and light.
     const auto on_row = [&](std::size_t j) {
         l3d_clip_vertex v = edge.clip_vertex(j, view);
         const double s = (t[j] - t0) / (t1 - t0);
@@ -396,7 +399,8 @@ void l3d_note_outline_edge(l3d_diced_piece& piece, std::size_t side, const l3d_e
                            const l3d_dice_view& view, double t0, double t1) {
     const l3d_micro_grid& grid = piece.part.grid;
     const bool along_u = side < 2, at_end = side == 1 || side == 3;
-    // So the quad is on the right if its corners p00 p10 p11 p01 turn to the right.
+    // The border runs so that the quad is on its right if its corners p00 p10 p11 p01 turn to the
+    // right.
     const bool forward = side == 0 || side == 3;
     const std::vector<double>& parameters = along_u ? piece.u : piece.v;
     const double per_t = (parameters.back() - parameters.front()) / (t1 - t0);
@@ -412,7 +416,7 @@ void l3d_note_outline_edge(l3d_diced_piece& piece, std::size_t side, const l3d_e
         while (quad + 1 < quads && parameters[static_cast<std::size_t>(quad) + 1] <= middle)
             ++quad;
         const int row = along_u ? across : quad, column = along_u ? quad : across;
-        // The level of the grid's vertex on the side where the quad begins.
+        // The grid's vertex where the quad's side begins, whose level is noted.
         const std::size_t vertex =
             grid.index(row + (along_u && at_end ? 1 : 0), column + (!along_u && at_end ? 1 : 0));
         l3d_micro_vertex from{edge.x()[i], edge.y()[i], edge.inv_w()[i], {}};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_shared_polyline, l3d_add_strip: an edge is halved until its chords are near and short.
+// l3d_shared_polyline, l3d_add_strip: halve an edge until its chords are near and short, and join
+// borders to it.
 #include "dice/edges/shared_polylines.h"
 
 #include "dice/grid_light.h"
@@ -12,7 +13,7 @@
 
 namespace {
 
-/// A control point: x w, y w and w in the picture, all times its weight, and the weight.
+/// A control point of a rational curve in the picture: x w, y w, w and 1, all times its weight.
 using control_point = l3d_vector<double, 4>;
 
 /// The control points of a part of an edge.
@@ -20,7 +21,8 @@ struct image_curve {
     std::array<control_point, l3d_bpt_largest_degree + 1> points;
     std::size_t count = 0;
 
-    /// Only points that count are written: most edges have two or three of the sixteen.
+    /// Halves the curve. It writes only points that count, since most edges have two or three of
+    /// the sixteen.
     void halve(image_curve& low, image_curve& high) const {
         low.count = high.count = count;
         std::copy_n(points.begin(), count, high.points.begin());
@@ -51,7 +53,8 @@ public:
         by_place_ = std::sqrt(by_place_);
     }
 
-    /// Halves of what is seen wholly are seen wholly, too.
+    /// Adds a part of an edge: as one chord, or by its halves. If a part is seen wholly, so are its
+    /// halves.
     void add(const image_curve& of, double from, double to, int halvings, bool is_seen) {
         constexpr int most_halvings = 24;
         is_seen = is_seen || all_is_seen(of);
@@ -78,7 +81,7 @@ public:
         const l3d_clip_vertex& v = to_.points.emplace_back(l3d_canonical_vertex(h, view_));
         if (!v.drawable || off_ == 0)
             return;
-        // A way of length 1 moves x, y by by_place_ at most, and w by by_w_.
+        // A move of length 1 in space changes x and y by at most by_place_, and w by at most by_w_.
         const double x = h[0] / h[2], y = h[1] / h[2];
         if (x >= box_.left && x <= box_.right && y >= box_.top && y <= box_.bottom)
             to_.off_px = std::max(to_.off_px, off_ * (by_place_ + std::hypot(x, y) * by_w_) / h[2]);
@@ -96,9 +99,9 @@ private:
     }
 
     /// Whether faces may be seen at a part of the edge between the near and the far plane. They end
-    /// within off_ of it, in space. Farther than a distance beside the picture, nobody looks: loose
-    /// edges near the eye would get chords without end. So many pixels are 256 of the longest
-    /// chords.
+    /// within off_ of it, in space. Parts farther beside the picture than `farthest` are not looked
+    /// at: loose edges near the eye would get chords without end. That is as far as 256 of the
+    /// longest chords.
     bool may_be_seen(const image_curve& of) const {
         constexpr double farthest = 256 * l3d_longest_shared_chord;
         const auto all = [&](const auto& is_out) {
@@ -106,7 +109,8 @@ private:
                                of.points.begin() + static_cast<std::ptrdiff_t>(of.count), is_out);
         };
         using point = control_point;
-        // A way of `off` changes x - side w and y - side w by this times the weight at most.
+        // A move of length `off` in space changes x - side w and y - side w by at most this, times
+        // the weight.
         const auto is_beside = [&](const l3d_image_box& box, double off) {
             const auto slack = [&](double side) {
                 return off * (by_place_ + std::abs(side) * by_w_);
@@ -123,9 +127,9 @@ private:
                !is_beside(box_, off_) && (off_ == 0 || !is_beside(box_.grown(farthest), 0));
     }
 
-    /// How far a part may be from its chord, infinite if that is too long or not before the eye.
-    /// Points of the part, and their 1 / w, are means of its control points' with weights like w.
-    /// Chords are linear in both.
+    /// Bounds how far a part is from its chord. The result is infinite if the chord is too long or
+    /// the part not in front of the eye. Points of the part, and their 1 / w, are means of its
+    /// control points' with weights like w. Chords are linear in both.
     l3d_drawn_distance off_chord(const image_curve& of, bool is_seen) const {
         constexpr double infinite = std::numeric_limits<double>::infinity();
         const control_point &a = of.points[0], &b = of.points[of.count - 1];
@@ -199,7 +203,8 @@ void l3d_shared_polyline::make(const l3d_shared_edge& edge, const l3d_matrix<dou
         flat.add(curve, span.from, span.to, 0, false);
     }
     points.back() = l3d_canonical_vertex(end(1), view);
-    // Ends that edges have in common may be beside their own.
+    // An end that edges have in common may differ from the edge's own end. Then its first or last
+    // chord is farther off.
     const auto own_end = [&](const l3d_vector<double, 4>& p) {
         const control_point q = placed(p[0], p[1], p[2], p[3]);
         return l3d_image_point{q[0], q[1], q[2]} / q[3];
@@ -233,14 +238,14 @@ l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
 
 namespace {
 
-/// Whether a triangle is drawn without area: so is every other one where borders have points of the
-/// edge.
+/// Whether a triangle is drawn without area. Where borders have points of the edge, every other
+/// triangle is.
 bool covers_nothing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c) {
     return a.drawable && b.drawable && c.drawable &&
            l3d_detail::twice_area(a.dice.vertex, b.dice.vertex, c.dice.vertex) == 0;
 }
 
-/// Gives a point of a strip the parameters and the light of its border, a share of the way along
+/// Gives a point of a strip the parameters and the light of its border, at a share of the way along
 /// it.
 void light(const l3d_border_point& from, const l3d_border_point& to, double share, bool has_levels,
            l3d_dice_vertex& at) {
@@ -255,13 +260,13 @@ void light(const l3d_border_point& from, const l3d_border_point& to, double shar
         l3d_make_unit(normal);
 }
 
-/// The share of the way along a border at which the edge has a parameter.
+/// The share of the way along a border at which the edge has parameter t.
 double share_at(double t, const l3d_border_point& from, const l3d_border_point& to) {
     const double part = to.t > from.t ? (t - from.t) / (to.t - from.t) : 0;
     return double{static_cast<float>(std::clamp(part, 0.0, 1.0))};
 }
 
-/// Adds a strip whose chords are near the edge, or that is out of the picture.
+/// Adds a strip whose chords are near the edge, or that lies outside of the picture.
 void add_uncut(const l3d_shared_polyline& line, const l3d_border_point& from,
                const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {
     const auto above = std::ranges::upper_bound(line.t, from.t);
@@ -308,7 +313,8 @@ void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from
                    const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {
     if (to.t < from.t)
         return l3d_add_strip(line, to, from, view, piece);
-    // Where the edge leaves the picture, nobody sees that the border has a corner.
+    // Where the edge leaves the picture, the strip is cut: its border gets a corner, which nobody
+    // sees.
     const auto is_known = [&](std::size_t i) { return std::isfinite(line.chords[i].places); };
     const auto above = std::ranges::upper_bound(line.t, from.t);
     l3d_border_point begin = from;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_strip_error: distances of drawn corners, which hold for all between them.
+// l3d_strip_error: measures distances of drawn corners, which bound those of all points between
+// them.
 #include "dice/edges/shared_polylines.h"
 
 #include "dice/snap.h"
@@ -13,7 +14,7 @@ namespace {
 using place = l3d_vector<double, 3>;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The point of a straight line that is the nearest to another.
+/// The point on the segment `from` `to` that is nearest to p.
 place nearest_to(const place& p, const place& from, const place& to) {
     const place way = to - from;
     const double square = l3d_dot(way, way);
@@ -44,15 +45,15 @@ private:
     place axes_[3] = {{1.0, 0.0, 0.0}, {}, {}};
 };
 
-/// A strip and the chords beside it: these begin at the polyline's points `first` to `last`, or end
-/// there, and the last one ends at `end`.
+/// A strip, and the chords beside it. These begin or end at the polyline's points `first` to
+/// `last`, and the last chord ends at `end`.
 struct strip {
     const l3d_shared_polyline& line;
     std::size_t first, last, end;
     const l3d_clip_vertex &a, &b;
 };
 
-/// The sides of what is seen beyond which a corner lies.
+/// Finds, as bits, the sides of the visible region beyond which a corner lies.
 unsigned sides_beyond(const l3d_clip_vertex& v, const l3d_image_box& window,
                       const l3d_dice_view& view) {
     const double x = v.h[0], y = v.h[1], w = v.h[2];
@@ -61,7 +62,7 @@ unsigned sides_beyond(const l3d_clip_vertex& v, const l3d_image_box& window,
            unsigned{w <= view.near} << 4 | unsigned{w >= view.far} << 5;
 }
 
-/// Whether all of a strip lies beyond one side of what is seen.
+/// Whether all of a strip lies beyond one side of the visible region.
 bool is_unseen(const strip& of, const l3d_dice_view& view) {
     const l3d_image_box window = view.window();
     unsigned beyond = sides_beyond(of.a, window, view);
@@ -72,10 +73,13 @@ bool is_unseen(const strip& of, const l3d_dice_view& view) {
     return beyond != 0;
 }
 
-/// How far points of a strip may be from the polyline, in the picture or in space. The triangle
-/// before an inner point of the polyline is near the first chord. The others are near the polyline
-/// between the places beside a and b. Each of their points has one there that is as far along the
-/// line between these places. Across that line they differ by no more than corners do.
+/// Bounds how far points of a strip are from the polyline, in the picture or in space (NUMERICS,
+/// section 27, Distances of strips).
+///
+/// The triangle before an inner point of the polyline is near the first chord. The others are near
+/// the part of the polyline between two places: those nearest to a and to b. Each of their points
+/// has a point of that part that is as far along the line between these places. Across that line,
+/// the two differ by no more than corners do.
 double width_of(const strip& of, const l3d_strip_corner& a, const l3d_strip_corner& b,
                 place l3d_strip_corner::*in) {
     const auto point = [&](std::size_t i) -> const place& { return of.line.corners[i].*in; };

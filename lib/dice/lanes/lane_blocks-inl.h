@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The sixteen blocks of a net, one a lane: their control points, boxes and differences.
+// Makes the sixteen blocks of a net, one a lane: their control points, boxes and differences.
 #if defined(L3D_DICE_LANES_LANE_BLOCKS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_DICE_LANES_LANE_BLOCKS_INL_H
 #undef L3D_DICE_LANES_LANE_BLOCKS_INL_H
@@ -21,13 +21,14 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The number of control points of a net, and of blocks.
+/// The number of control points of a net; it has as many blocks.
 constexpr std::size_t points = 16;
 
 using floats = hn::CappedTag<float, points>;
 using float_lanes = hn::Vec<floats>;
 
-/// The norm that seen_in of step_bound.cpp computes, with one block per lane.
+/// The length of a difference of homogeneous points as the picture shows it, for one block a lane.
+/// It computes the same as seen_in of step_bound.cpp.
 struct seen_norm {
     float_lanes x, y, radius;
 
@@ -39,7 +40,7 @@ struct seen_norm {
     }
 };
 
-/// Largest norms of differences of one kind, in the image and of w.
+/// The largest norm of one kind of differences, in the picture and of w.
 struct largest_of {
     float_lanes image, depth;
 
@@ -50,8 +51,7 @@ struct largest_of {
     }
 };
 
-/// Loads lanes i on of the array p, but fills each group of four with the group's element number
-/// `of`.
+/// Loads lanes from p + i, but gives each group of four lanes the group's element number `of`.
 template <int of> HWY_ATTR HWY_INLINE float_lanes one_of_four(const float* p, std::size_t i) {
 #if HWY_TARGET == HWY_SCALAR
     return hn::Load(floats(), p + i / 4 * 4 + of);
@@ -60,7 +60,7 @@ template <int of> HWY_ATTR HWY_INLINE float_lanes one_of_four(const float* p, st
 #endif
 }
 
-/// Loads lanes i on of an array that repeats the four elements at p.
+/// Loads lanes from element i on of an array that repeats the four elements at p.
 HWY_ATTR HWY_INLINE float_lanes repeated(const float* p, [[maybe_unused]] std::size_t i) {
 #if HWY_TARGET == HWY_SCALAR
     return hn::Load(floats(), p + i % 4);
@@ -111,7 +111,7 @@ HWY_ATTR void cut(const float (&net)[3][points], block_nets& blocks) {
             }
 }
 
-/// Boxes of the blocks from a lane on, relative to the net's centre, and the largest gaps between
+/// The boxes of blocks from a lane on, relative to the net's centre. Also the largest gaps between
 /// neighbouring control points.
 struct lane_boxes {
     float_lanes left, top, right, bottom, least_w, gap_u, gap_v;
@@ -156,8 +156,8 @@ HWY_ATTR HWY_INLINE lane_boxes boxes_of(const block_nets& blocks, std::size_t la
     return box;
 }
 
-/// Takes the largest norms of each block's second differences. Those along u go to `uu`, those
-/// along v to `vv`, and the mixed ones to `uv`.
+/// Raises `uu`, `vv` and `uv` to the largest norms of each block's second differences along u and
+/// along v, and of its mixed differences.
 HWY_ATTR HWY_INLINE void take_differences(const block_nets& blocks, std::size_t lane,
                                           const seen_norm& norm, largest_of& uu, largest_of& uv,
                                           largest_of& vv) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The needs of a patch's sixteen blocks in SIMD lanes.
+// bounds_in_lanes: finds the needs of a patch's sixteen blocks in SIMD lanes.
 #include "dice/lanes/lane_bounds_p.h"
 
 #include <algorithm>
@@ -23,8 +23,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, points>;
 
-/// Error that the rounding of floats can add to the norm of a second or mixed difference d in the
-/// image, |d (x, y) - X0 d w| + r |d w|.
+/// Bounds what the rounding of floats adds to the norm of a second or mixed difference d. In the
+/// image, that norm is |d (x, y) - X0 d w| + r |d w|.
 /// Units: the largest w times the reach of the centred box.
 ///
 /// The net is rounded, then summed up twice from four products: 9 roundings of 2^-24, of numbers up
@@ -34,17 +34,17 @@ using doubles = hn::CappedTag<double, points>;
 /// eight operations of the norm.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
-/// The same for third and fourth differences of a whole net, made in doubles and rounded to floats
-/// once. In these units the differences of x and y are at most 16. Those of w, which is positive,
-/// are at most 8. Their rounding is 16 + 8, that of X0 d w is 8, and that of X0 is 8. In the image
-/// norm that is sqrt(2) (16 + 8 + 8 + 8) = 57.
+/// The same bound for third and fourth differences of a whole net. They are made in doubles and
+/// rounded to floats once. In these units the differences of x and y are at most 16. Those of w,
+/// which is positive, are at most 8. Their rounding is 16 + 8, that of X0 d w is 8, and that of X0
+/// is 8. In the image norm that is sqrt(2) (16 + 8 + 8 + 8) = 57.
 constexpr float mixed_rounding = 64 * 0x1p-24F;
 
-/// The rounding of second and mixed differences of w alone.
+/// The same bound for second and mixed differences of w alone.
 constexpr float depth_rounding = 40 * 0x1p-24F;
 
-/// Rounding of a projected point, relative to the reach of the centred box: 9 roundings in x
-/// and in w, and two of the quotient.
+/// Bounds the rounding of a projected point, relative to the reach of the centred box. There are 9
+/// roundings in x and in w, and two of the quotient.
 constexpr float projected_rounding = 20 * 0x1p-24F;
 
 bool section_leaves(const double* net, const l3d_image_section& cut) {
@@ -56,7 +56,8 @@ bool section_leaves(const double* net, const l3d_image_section& cut) {
     return all;
 }
 
-/// Measures box and depths of the whole net, and sets `ordinary`. Comparisons are false for NaN.
+/// Measures the box and the depths of the whole net, and sets `ordinary`. Comparisons are false for
+/// NaN.
 HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds& out) {
     const doubles d;
     auto left = hn::Set(d, HUGE_VAL), top = left, nearest = left;
@@ -119,24 +120,24 @@ HWY_ATTR HWY_INLINE void put(float_lanes value, l3d_block_needs::per_block& out,
         out[lane + i] = static_cast<double>(numbers[i]);
 }
 
-/// Largest |x' / w| or |y' / w| of the centred net.
+/// The largest |x' / w| or |y' / w| of the centred net.
 double reach_of(const lane_bounds& of) {
     const double x = of.net.x, y = of.net.y;
     return std::max({x - of.hull.left, of.hull.right - x, y - of.hull.top, of.hull.bottom - y});
 }
 
-/// A block needs bounds of depth, too, if width and height of its image box add up to less: see
-/// l3d_needs_of; 2.83 > 2 sqrt(2).
+/// A block needs bounds of depth, too, if the width and height of its image box add up to less than
+/// this. See l3d_needs_of; 2.83 > 2 sqrt(2).
 double depth_matters_below(const l3d_dice_view& view, bool balanced) {
     return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
 }
 
-/// The inputs of bounds of blocks besides their nets. Places are relative to the net's centre.
+/// All that bounds of blocks depend on besides their nets. Places are relative to the net's centre.
 struct block_surroundings {
     const l3d_image_box& window; ///< the largest box that is seen
     float reach;                 ///< largest |x' / w| or |y' / w|
-    float grown_by;              ///< largest distance of vertices beyond the net's box
-    float deep_below;            ///< width and height together below which depth matters
+    float grown_by;              ///< how far vertices may lie beyond the net's box
+    float deep_below;            ///< see depth_matters_below
     float most_w;
 };
 
@@ -179,7 +180,7 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     put(image_bound(six, uu), needs.uu, lane);
     put(image_bound(nine, uv), needs.uv, lane);
     put(image_bound(six, vv), needs.vv, lane);
-    // In front of the near plane w may be off by an eighth of itself.
+    // In front of the near plane, w may be off by an eighth of itself.
     const auto depth_bound = [&](float_lanes factor, const largest_of& of) HWY_ATTR {
         const auto rounded_up = hn::Add(of.depth, hn::Set(d, depth_rounding));
         return hn::IfThenElseZero(deep, hn::Mul(hn::Mul(hn::Set(d, 8.0F), factor), rounded_up));
@@ -242,7 +243,8 @@ struct mixed_differences {
     }
 };
 
-/// Bounds the error that balancing of vertices adds, from the whole net, in the blocks' parameters.
+/// Bounds the mixed derivatives that count where vertices are balanced, over the whole net, by the
+/// blocks' parameters.
 HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
     out.needs.uuv = out.needs.uvv = out.needs.uuvv = 0;
@@ -265,7 +267,7 @@ HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
 
 /// Finds the needs of sixteen blocks.
 HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
-    // Homogeneous points may be scaled. With w of at most 1, squares stay in a float's range.
+    // Homogeneous points may be scaled. With w of at most 1, squares stay in the range of a float.
     const double scale = 1 / out.most_w;
     alignas(64) float net[3][points];
     for (std::size_t k = 0; k < 3; ++k)
@@ -291,7 +293,7 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     bound_mixed(view, out);
 }
 
-/// Differences of a whole net: 8 second ones along u, 8 along v, 9 mixed ones.
+/// Differences of a whole net: 8 second differences along u, 8 along v, and 9 mixed ones.
 struct net_differences {
     static constexpr std::size_t along_u = 0, along_v = 8, mixed = 16, end = 25, room = 32;
     alignas(64) float at[3][room];
@@ -306,7 +308,7 @@ struct net_differences {
             std::copy_n(net.points[k], points, p);
             std::fill_n(p + points, 4, 0.0);
             const auto load = [&](std::size_t i) HWY_ATTR { return hn::LoadU(d, p + i); };
-            // Lanes beyond those that are wanted are overwritten by the next ones.
+            // The next differences overwrite the lanes behind those that are wanted.
             const auto put_at = [&](std::size_t i, auto difference) HWY_ATTR {
                 hn::StoreU(hn::DemoteTo(df, hn::Mul(difference, factor)), df, at[k] + i);
             };
@@ -329,8 +331,8 @@ struct net_differences {
     }
 };
 
-/// Forgets the needs of a former net. Numbers of other blocks than the first one stay, as nobody
-/// asks for them: to clear all takes as long as to find the needs of one block.
+/// Forgets the needs of a former net. Only those of the first block are cleared, since nobody asks
+/// for others. Clearing all takes as long as finding the needs of one block.
 void begin_one_block(l3d_block_needs& needs) {
     needs.strips = 1;
     needs.keeps_depth = needs.keeps_bends = needs.balanced = false;
@@ -341,7 +343,7 @@ void begin_one_block(l3d_block_needs& needs) {
         (*of)[0] = 0;
 }
 
-/// Finds the needs of a small net, which is one block: its differences are in lanes.
+/// Finds the needs of a net that is one block, with its differences in lanes.
 HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     l3d_block_needs& needs = out.needs;
     begin_one_block(needs);
@@ -378,7 +380,7 @@ HWY_ATTR void bound_whole(const l3d_dice_view& view, lane_bounds& out) {
     needs.depth_uv[0] = bound(depth, differences::mixed, differences::end, 8 * nine, of_w);
 }
 
-/// The fewest steps of a net that is one block though it is not small.
+/// Sets the fewest steps of a net that is one block although it is not small.
 void bound_gaps(const l3d_image_patch& net, l3d_block_needs& needs) {
     const auto [along_u, along_v] = l3d_image_gaps_of(net);
     needs.least_u[0] = 3 / l3d_largest_quad * along_u;

@@ -17,14 +17,15 @@ namespace {
 
 using l3d_detail::lane_register;
 
-/// Rounding of the doubles that columns start from, relative to the largest centred coordinate.
-/// Power coefficients of a bicubic add up to at most 27^2 times its largest control value. Some 25
-/// roundings follow each other: centring, differences of differences, Horner's scheme in u, balance
-/// and the weights of forward differences. 25 * 27^2 < 2^15.
+/// Bounds the rounding of the doubles from which columns start, relative to the largest centred
+/// coordinate. Power coefficients of a bicubic add up to at most 27^2 times its largest control
+/// value. Some 25 roundings follow each other: centring, differences of differences, Horner's
+/// scheme in u, balance and the weights of forward differences. 25 * 27^2 < 2^15.
 constexpr double start_rounding = 0x1p15 * 0x1p-53;
 
-/// Error of walking l3d_most_steps_whole steps in T, for coordinates up to `largest`. Differences
-/// of control values are at most 2, 4 and 8 times that, and shrink in `strips` parts.
+/// Bounds the error of walking l3d_most_steps_whole steps in T, for coordinates up to `largest`.
+/// First to third differences of control values are at most 2, 4 and 8 times that. Where there are
+/// more strips, they shrink.
 template <class T> double walking_error(double largest, int strips) {
     const double s = strips;
     return l3d_forward_difference_error<T>(l3d_most_steps_whole, largest, 2 * largest / s,
@@ -50,7 +51,8 @@ template <class T> double l3d_lane_dicer<T>::walked_w(const l3d_dice_view& view)
     return std::max({least, bounds_.most_w - view.w_middle, view.w_middle - bounds_.least_w});
 }
 
-/// The error of vertices in pixels, if registers err by walk_xy and walk_w after the last step.
+/// Bounds the error of vertices in pixels, if registers err by walk_xy and walk_w after the last
+/// step.
 template <class T>
 double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                                        double snap_error) const {
@@ -71,14 +73,14 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
     accuracy.seen_reach = around_centre(seen);
     accuracy.reach = around_centre(view.drawn_box(hull));
     accuracy.snap_error = snap_error;
-    // The errors of the transform, and of moving the centre, apply to places in the whole picture.
+    // The errors of the transform and of moving the centre depend on places in the whole picture.
     const double moved = 4 * 0x1p-53 * bounds_.most_w * hull.reach();
     return accuracy.drawn_error(l3d_vertex_accuracy::in_front) +
            l3d_vertex_error(view.error_xy + moved, view.error_w, seen.reach(),
                             bounds_.least_w - accuracy.error_w);
 }
 
-/// Chooses the registers and their units; false if none is exact enough.
+/// Chooses the registers and their units. Returns false if none is exact enough.
 template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view& view) {
     const l3d_detail::centred_net& net = bounds_.net;
     const int strips = bounds_.needs.strips;
@@ -97,7 +99,7 @@ template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view&
         return vertex_error_ + view.focal * walk_w / bounds_.least_w - exact <= allowance;
     };
 
-    // The fastest registers that walk exactly enough.
+    // Takes the fastest registers that walk exactly enough.
     register_xy_ = register_w_ = 1;
     const double least = view.walk_allowance(exact);
     if constexpr (l3d_is_fixed<T>) {
@@ -149,7 +151,8 @@ const l3d_step_plan* l3d_lane_dicer<T>::plan(const l3d_patch_part& piece, const 
     if (kind_ == l3d_quad_kind::whole && bounds_.needs.without_normals == 0)
         kind_ = l3d_quad_kind::convex;
     plan_steps(view);
-    // If quads turn out to fold, steps grow until fans fit, so there has to be room for that.
+    // If quads turn out to fold, steps grow until fans fit. If there may be no room for that, plans
+    // with fans at once.
     const double more = plan_.fan_error / view.chord_budget(vertex_error_);
     if (kind_ == l3d_quad_kind::convex && more > 1 &&
         std::max(plan_.most_u(), plan_.most_v()) * std::sqrt(more) > l3d_most_steps_whole - 2) {
@@ -163,8 +166,8 @@ template <class T> void l3d_lane_dicer<T>::plan_steps(const l3d_dice_view& view)
     plan_ = l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), kind_);
 }
 
-/// Adds the error of folded quads to the plan's, and tells whether the sum is within the budget.
-/// They are looked for only where the plan has no room for them anyway.
+/// Adds the error of folded quads to the plan's, and tells whether the sum is within the budget. It
+/// looks for them only if the plan has no room for fans everywhere.
 template <class T>
 bool l3d_lane_dicer<T>::fits_with_folds(const l3d_surface_part& part, const l3d_dice_view& view) {
     const double budget = view.chord_budget(vertex_error_);
@@ -190,7 +193,7 @@ l3d_lane_dicer<T>::certificate(const l3d_patch_part& piece, const l3d_dice_view&
 
 /// Walks places and depths of the planned grid.
 template <class T> void l3d_lane_dicer<T>::walk(const l3d_dice_view& view, l3d_surface_part& part) {
-    // Parameters of columns and rows, and the size of the grid.
+    // First, the parameters of columns and rows, and the size of the grid.
     u_.fill(plan_.strips, plan_.nu, plan_.balanced);
     v_.fill(plan_.strips, plan_.nv, plan_.balanced);
     part.block_columns = starts_of(plan_, plan_.nu);
@@ -241,7 +244,7 @@ void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& 
          ++more) {
     }
 
-    // Levels or normals, at the parameters of the whole patch.
+    // Then levels or normals, at the parameters of the whole patch.
     u_.place(piece.u0, piece.u1);
     v_.place(piece.v0, piece.v1);
     out.has_levels = view.makes_levels();
@@ -250,7 +253,7 @@ void l3d_lane_dicer<T>::fill(const l3d_patch_part& piece, const l3d_normal_net& 
     else
         l3d_detail::normals_in_lanes(normals, u_, v_, view.shading, numbers_, part.grid);
 
-    // The data for slits and counts.
+    // Last, the data for slits and counts.
     out.u.assign(u_.at, u_.at + u_.count);
     out.v.assign(v_.at, v_.at + v_.count);
     out.bound = plan_.visible ? plan_.chord_error + vertex_error_ : 0;

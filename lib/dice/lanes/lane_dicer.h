@@ -16,33 +16,34 @@
 
 #include <span>
 
-/// Dices patches, and pieces of patches, that need neither clipping nor cutting; the slow twin,
-/// which takes all, is l3d_patch_dicer.
+/// Dices patches, and pieces of patches, that need neither clipping nor cutting. The slow twin is
+/// l3d_patch_dicer, which takes all patches.
 ///
-/// Lives: one per worker.
-/// Cost:  no allocation but what `out` needs to be larger than ever before.
+/// Lives: one for each worker.
+/// Cost:  no allocation, unless `out` has to be larger than ever before.
 template <class T> class l3d_lane_dicer {
 public:
-    /// Dices the patch in one piece, with grid and slits. It leaves nothing out.
+    /// Dices the patch in one piece: makes its grid and fills its slits. Nothing is left out.
     ///
-    /// Shape:   edges in the order of l3d_edge_polylines::outer(), of this net and view.
+    /// Shape:   edges in the order of l3d_edge_polylines::outer(), made for this net and view.
     /// Expects: tolerance > 0, near > 0.
-    /// Errors:  false, with nothing written, if the patch is not ordinary. An ordinary patch
-    ///          reaches neither to the near or the far plane nor out of the guard band. Neither it
-    ///          nor an edge needs more than 32 steps in a strip, and it can be walked in T exactly
+    /// Errors:  returns false, with nothing written, if the patch is not ordinary. An ordinary
+    ///          patch reaches neither the near or the far plane nor out of the guard band. Neither
+    ///          the patch nor an edge needs more than 32 steps in a strip. A walk in T is exact
     ///          enough.
     bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts, const l3d_bend_bounds& bends = {});
 
-    /// Plans the steps of a patch or piece whose edges' vertices err by `edge_vertex`. More than 32
-    /// a strip are too many for fill().
+    /// Plans the steps of a patch or piece. The vertices of its edges err by `edge_vertex`. fill()
+    /// cannot take a plan with more than 32 steps a strip.
     /// Lives:  until the next one is planned.
-    /// Errors: null if it is not ordinary, or cannot be walked exactly enough.
+    /// Errors: null if the patch is not ordinary, or no walk is exact enough.
     const l3d_step_plan* plan(const l3d_patch_part& piece, const l3d_dice_view& view,
                               double edge_vertex, const l3d_bend_bounds& bends);
 
-    /// The proven bounds of depth and shade for the last plan, rounding of vertices included.
+    /// The proven bounds of depth and shade for the last plan. They include the rounding of
+    /// vertices.
     l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
                                         const l3d_bend_bounds& bends,
                                         const l3d_diced_piece& out) const;
@@ -51,12 +52,12 @@ public:
     /// Units: pixels at their depth.
     double row_depth_error() const { return row_depth_error_; }
 
-    /// Fills the grid of the last plan, its parameters and its bound.
-    /// Expects: at most 32 steps a strip were planned, of the piece's own net.
+    /// Makes the grid of the last plan, its parameters and its bound.
+    /// Expects: at most 32 steps a strip were planned, for the piece's own net.
     void fill(const l3d_patch_part& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_diced_piece& out);
 
-    /// The error that rounding of vertices adds to the chord error of slits along the sides of the
+    /// Bounds what rounding of vertices adds to the chord error of slits along the sides of the
     /// last plan. Units: pixels.
     double row_error() const { return row_error_; }
 

@@ -22,8 +22,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The rounding of a product of differences, relative to it. The product of two is rounded, and
-/// each difference if it exceeds 2^24.
+/// Bounds the relative rounding of a product of two differences. The product is rounded, and so is
+/// each difference that exceeds 2^24.
 constexpr float rounding = 0x1p-21F;
 
 /// A side of a quad, from corner to corner.
@@ -57,8 +57,8 @@ HWY_INLINE void for_folded(const l3d_micro_grid& grid, int row, const Visit& vis
     const ints d;
     const std::size_t above = grid.index(row, 0), below = grid.index(row + 1, 0);
     const auto quads = static_cast<std::size_t>(grid.columns - 1);
-    // Behind the last row there may be no more numbers, so the last vector of a row overlaps the
-    // one before. A row of fewer quads is copied.
+    // Behind the last row there may be no more numbers. So the last vector of a row overlaps the
+    // one before, and a row with fewer quads than lanes is copied.
     const auto corner = [&](const auto& of, std::size_t at) HWY_ATTR {
         if (quads >= lanes)
             return hn::LoadU(d, of.data() + at);
@@ -86,13 +86,13 @@ HWY_INLINE void for_folded(const l3d_micro_grid& grid, int row, const Visit& vis
     }
 }
 
-/// The error of the fan of a quad; 0 if it is not folded.
+/// Measures the error of a quad's fan; 0 if the quad is not folded.
 /// Shape: corners p00, p10, p01, p11.
 double fan_error(const std::array<l3d_micro_vertex, 4>& p, bool is_parallel) {
     struct place {
         std::int64_t x, y;
     };
-    std::array<place, 4> from{}; // the first corner
+    std::array<place, 4> from{}; // each corner, from the first one
     std::array<double, 4> w{};
     double reach = 0;
     for (std::size_t i = 0; i < 4; ++i) {

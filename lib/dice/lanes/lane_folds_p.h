@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The error of folded quads, measured on a grid.
+// most_folded: measures the error of folded quads on a grid.
 #ifndef L3D_DICE_LANES_LANE_FOLDS_P_H
 #define L3D_DICE_LANES_LANE_FOLDS_P_H
 
@@ -8,14 +8,14 @@
 
 namespace l3d_detail {
 
-/// The largest error of a grid's folded quads; 0 if none is folded.
+/// Finds the largest error of a grid's folded quads; 0 if none is folded.
 ///
 /// A folded quad is drawn as four triangles around its centre. They differ from the bilinear piece
 /// by at most a sixteenth of the corners' mixed difference, as seen from the quad's own places.
-/// Steps are chosen without it, since few quads fold. NUMERICS, section 3.
-/// Units:   pixels.
-/// Shape:   `errors` as l3d_step_plan::errors: those of blocks without folded quads.
-/// Cost:    some eight instructions a quad with eight lanes.
+/// Plans leave this term out, since few quads fold. NUMERICS, section 3.
+/// Units: pixels.
+/// Shape: `errors` has the errors of blocks without folded quads, as l3d_step_plan::errors.
+/// Cost:  some eight instructions a quad with eight lanes.
 double most_folded(const l3d_surface_part& part, const l3d_block_needs::per_block& errors);
 
 } // namespace l3d_detail

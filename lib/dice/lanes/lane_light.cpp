@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Normals and levels of a grid's vertices in SIMD lanes.
+// normals_in_lanes, levels_in_lanes: make normals and levels of a grid's vertices in SIMD lanes.
 #include "dice/lanes/lane_light_p.h"
 
 #include "dice/facing_fix.h"
@@ -35,7 +35,7 @@ struct quintic_weights {
         const doubles d;
         const hn::Rebind<float, doubles> df;
         const auto five = hn::Set(d, 5.0), ten = hn::Set(d, 10.0);
-        // Whole vectors of floats.
+        // The end of the last whole vector of floats.
         const std::size_t end =
             hwy::RoundUpTo(parameters.count, hn::Lanes(hn::CappedTag<float, lane_columns>()));
         for (std::size_t i = 0; i < end; i += hn::Lanes(d)) {
@@ -129,7 +129,8 @@ public:
         : ray_(direction_of(shading.ray)), right_(direction_of(shading.ray_right)),
           down_(direction_of(shading.ray_down)) {}
 
-    /// Does the operations of l3d_away_from_eye, one by one, so that results agree bit for bit.
+    /// How far normals point away from the eye. It does the operations of l3d_away_from_eye one by
+    /// one, so that results agree bit for bit.
     HWY_ATTR HWY_INLINE float_lanes away(const normal_lanes& n, const l3d_micro_grid& grid,
                                          std::size_t at) const {
         const floats d;
@@ -220,7 +221,8 @@ struct level_writer {
     }
 };
 
-/// The same for so few columns that a vector holds them and the middles behind them.
+/// Writes the same for a grid of so few columns that one vector holds them and the middles behind
+/// them.
 HWY_ATTR void levels_of_few(const l3d_normal_net::float_net& net, const lane_parameters& u,
                             const lane_parameters& middle_u, const quintic_weights& in_v,
                             const quintic_weights& beside_v, std::size_t rows, const eye_rays& rays,

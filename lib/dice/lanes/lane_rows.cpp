@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Forward differences of columns in SIMD lanes.
+// walk_in_lanes: walks columns by forward differences in SIMD lanes.
 #include "dice/lanes/lane_rows_p.h"
 
 #include "geom/bezier_patch.h"
@@ -23,16 +23,16 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, lane_columns>;
 
-/// The starts of a vector of columns. `point` has the first point of each strip,
-/// [coordinate][column], and the last strip's end. `at` has four registers of each coordinate, [4 *
-/// coordinate + difference][column], of the balanced curve in each strip.
+/// The numbers from which a vector of columns starts. `point` has the first point of each strip and
+/// the last strip's end: [strip][coordinate][column]. `at` has the four registers of each
+/// coordinate, for the balanced curve in each strip: [strip][4 * coordinate + difference][column].
 template <class Number> struct column_starts {
     static constexpr std::size_t registers = 12;
     alignas(64) Number point[5][3][lane_columns];
     alignas(64) Number at[4][registers][lane_columns];
 };
 
-/// Stores a start in the registers' type; fixed-point registers take it times `scale`.
+/// Stores a start in the type of the registers. Fixed-point registers hold it times `scale`.
 HWY_ATTR HWY_INLINE void put(hn::Vec<doubles> value, double, float* out) {
     const hn::Rebind<float, doubles> d;
     hn::Store(hn::DemoteTo(d, value), d, out);
@@ -95,8 +95,8 @@ HWY_ATTR power_form powers_of(const centred_net& net, double w_middle) {
     return result;
 }
 
-/// Weights of forward differences of a0 + a1 t + a2 t^2 + a3 t^3 at t with step h: f(t), d1 . (a1,
-/// a2, a3), d2 . (a2, a3) and d3 a3.
+/// The weights that make forward differences of a0 + a1 t + a2 t^2 + a3 t^3 at t with step h. These
+/// are f(t), d1 . (a1, a2, a3), d2 . (a2, a3) and d3 a3.
 struct difference_weights {
     double t, d1[3], d2[2], d3;
     double moved; ///< see lane_parameters
@@ -175,7 +175,7 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     const double divisor = Parallel ? walk.w_middle : 1 / walk.register_w;
     const auto to_pixels =
         hn::Set(df, static_cast<real>(l3d_subpixel_one / divisor / walk.register_xy));
-    // Two factors: their product may not fit a float, though its product with 1 / w does.
+    // There are two factors, since their product may not fit a float. Its product with 1 / w does.
     [[maybe_unused]] const auto to_units = hn::Set(ds, static_cast<float>(walk.register_w));
     [[maybe_unused]] const auto to_depth = hn::Set(ds, walk.depth_scale);
     const auto origin_x = hn::Set(di, walk.origin_x), origin_y = hn::Set(di, walk.origin_y);
@@ -185,7 +185,7 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
     [[maybe_unused]] const auto middle_depth =
         hn::Set(ds, static_cast<float>(l3d_dice_view::middle_depth));
 
-    // A row of vertices is projected, snapped and stored.
+    // Projects, snaps and stores a row of vertices.
     std::size_t to = column + i;
     using number_vec = hn::Vec<decltype(d)>;
     using float_vec = hn::Vec<decltype(df)>;
@@ -213,7 +213,7 @@ HWY_ATTR HWY_INLINE void walk_down(const lane_walk& walk, const column_starts<Nu
         emit(hn::Load(d, point[0] + i), hn::Load(d, point[1] + i), hn::Load(d, point[2] + i));
     };
 
-    // Each strip starts from exact values; from row to row only differences are added.
+    // Each strip starts from exact values. From row to row, only differences are added.
     for (int b = 0; b < walk.strips; ++b) {
         emit_point(b);
         const auto* from = starts.at[b];
@@ -256,7 +256,7 @@ HWY_ATTR void walk_columns(const lane_walk& walk, l3d_micro_grid& grid) {
     column_starts<Number> starts;
     constexpr hn::CappedTag<Number, lane_columns> d;
     for (std::size_t column = 0; column < walk.u.count; column += lane_columns) {
-        // Whole vectors of registers, as many as there are columns for.
+        // The end of the last whole vector of registers for these columns.
         const std::size_t left = std::min(walk.u.count - column, lane_columns);
         const std::size_t end = hwy::RoundUpTo(left, hn::Lanes(d));
         for (std::size_t i = 0; i < end; i += hn::Lanes(doubles()))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The vertices of a patch, its columns side by side in SIMD lanes.
+// Walks the vertices of a patch, its columns side by side in SIMD lanes.
 #ifndef L3D_DICE_LANES_LANE_ROWS_P_H
 #define L3D_DICE_LANES_LANE_ROWS_P_H
 
@@ -11,36 +11,37 @@
 
 namespace l3d_detail {
 
-/// The number of columns or rows that are taken at a time. Beyond the last one, arrays hold finite
-/// numbers.
+/// The number of columns or rows that are computed at a time. Behind the last one, arrays hold
+/// finite numbers.
 inline constexpr std::size_t lane_columns = 16;
 
-/// Parameters along one direction of a grid of at most 4 strips.
+/// The parameters of a grid of at most 4 strips along one direction.
 struct lane_parameters {
     static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
     static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
     alignas(64) double at[room];
-    alignas(64) double moved[room]; ///< part of the second derivative by which vertices move
+    alignas(
+        64) double moved[room]; ///< factor of the second derivative by which balance moves vertices
     std::size_t count = 0;
 
     /// The count, rounded up to whole vectors of lane_columns.
     std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
 
-    /// The middles between neighbouring parameters; at the end, the last parameter itself.
+    /// The middles between neighbouring parameters. The last one is the last parameter itself.
     lane_parameters middles() const;
 
-    /// Sets the parameters i / n of each strip, and their `moved` if balanced. The last parameter,
-    /// and all behind it, are 1.
+    /// Sets the parameters of each strip: i / n of its length, for its n steps. Also sets their
+    /// `moved` if balanced. The last parameter, and all behind it, are 1.
     void fill(int strips, const std::array<int, 4>& steps, bool balanced);
 
     /// Maps parameters from [0, 1] to [low, high].
     void place(double low, double high);
 };
 
-/// The kinds of registers in which columns can be walked.
+/// The types of registers in which columns can be walked.
 enum class lane_register { float_32, float_64, fixed_32, fixed_64 };
 
-/// The input of walk_in_lanes.
+/// The input of walk_in_lanes: the net, the columns, and how they are walked.
 struct lane_walk {
     const centred_net& net;
     const lane_parameters& u;
@@ -51,13 +52,13 @@ struct lane_walk {
         origin_y; ///< place of x' / w' = 0 in the picture, in sub-pixels from its corner
     double register_xy = 1, register_w = 1; ///< the unit of the registers: a power of two
     float depth_scale = 1;
-    /// In a parallel projection, the w that registers leave out, and the change of depth for a unit
-    /// of w; else 0.
+    /// In a parallel projection, the w that registers leave out, and how much depth changes for a
+    /// unit of w. Both are 0 in perspective.
     double w_middle = 0, depth_slope = 0;
 };
 
-/// Walks all columns by forward differences, projects and snaps their points, and writes them. Each
-/// column starts exactly, in double, at each strip. The slow twin is l3d_strip_walker.
+/// Walks all columns by forward differences, projects and snaps their points, and writes them. At
+/// each strip, each column starts exactly, from a double. The slow twin is l3d_strip_walker.
 /// Expects: the grid has as many columns and rows as there are parameters; every point is in the
 ///          guard band.
 /// Cost:    9 additions a column and step, one division and a few products a vertex.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Weights that make the control nets of blocks from a whole control net.
+// in_quarters: weights that make the control nets of blocks from a whole control net.
 #ifndef L3D_DICE_LANES_LANE_WEIGHTS_P_H
 #define L3D_DICE_LANES_LANE_WEIGHTS_P_H
 
@@ -8,12 +8,12 @@
 
 namespace l3d_detail {
 
-/// The weight of control point `from` of a cubic in control point `to` of its part on [strip / 4,
+/// The weight of a cubic's control point `from` in control point `to` of its part on [strip / 4,
 /// (strip + 1) / 4].
 ///
-/// A part's control point is the cubic's blossom, `to` of whose arguments are the part's upper end
-/// and the rest its lower end. It comes from de Casteljau's scheme with another parameter at each
-/// level. The weight is a multiple of 1/64, so it is exact in a float.
+/// A control point of the part is a value of the cubic's blossom. `to` of the three arguments are
+/// the part's upper end, the others its lower end. De Casteljau's scheme computes it, with another
+/// parameter at each level. The weight is a multiple of 1/64, so it is exact in a float.
 /// Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
 constexpr float quarter_weight(int strip, int to, int from) {
     std::array<double, 4> p{};
@@ -26,7 +26,7 @@ constexpr float quarter_weight(int strip, int to, int from) {
     return static_cast<float>(p[0]);
 }
 
-/// The weights of all blocks. Block 4 * b + a, u-strip a of v-strip b, has lane 4 * b + a.
+/// The weights of all blocks. Lane 4 * b + a is the block in u-strip a and v-strip b.
 struct quarter_weights {
     static constexpr std::size_t lanes = 16;
     alignas(16) float u[4][4][4];     ///< [to][from][a]

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_frame_outlines: the pixels of a frame in which an outline may change the visible surface.
+// l3d_frame_outlines: finds the pixels of a frame in which an outline may change the visible
+// surface.
 #ifndef L3D_DICE_OUTLINES_FRAME_OUTLINES_H
 #define L3D_DICE_OUTLINES_FRAME_OUTLINES_H
 
@@ -14,27 +15,28 @@
 #include <map>
 #include <span>
 
-/// Gathers a frame's surfaces, and finds their outlines when all is drawn (NUMERICS, Outlines).
+/// Finds the outline pixels of a frame. It gathers the frame's surfaces, and searches their
+/// outlines when all is drawn (NUMERICS, section 9, Outlines).
 ///
 /// Lives: borrows the scene from begin to finish.
-/// Cost:  36 bytes a pixel; drawing all once more on one thread; l3d_outline_search of all patches
-///        of the scene, also of those that cover no pixel.
+/// Cost:  36 bytes a pixel. All is drawn once more, on one thread. l3d_outline_search looks at all
+///        patches of the scene, also at those that cover no pixel.
 class l3d_frame_outlines {
 public:
     /// Starts a frame.
-    /// Shape: to_image takes the world to the view's units. In a parallel projection, the depth
-    ///        changes by depth_by_pixel where the distance changes by a pixel's width. In
-    ///        perspective, depth_by_pixel is 0.
-    /// Units: focal in pixels.
+    /// Shape: `to_image` maps the world to the view's units. In a parallel projection, the depth
+    ///        changes by `depth_by_pixel` where the distance changes by a pixel's width. In
+    ///        perspective, `depth_by_pixel` is 0.
+    /// Units: `focal` in pixels.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view, double focal, double depth_by_pixel);
 
-    /// Adds the diced pieces of a patch of the frame. Patches of which nothing is drawn may be left
-    /// out.
+    /// Adds the diced pieces of a patch. Patches of which nothing is drawn may be left out.
     void add(const l3d_placed_patch& patch, std::span<const l3d_diced_piece> pieces);
 
-    /// Finds all outlines. Units: bounds in pixels; `near` is the nearest w drawn, in the view's w,
-    /// or 0.
+    /// Finds all outlines.
+    /// Units: bounds in pixels; `near` is the farthest near plane of a patch in the view's w, or 0
+    ///        (l3d_dice_counts::near_z).
     void finish(double bound_px, double depth_bound_px, double near);
 
     /// The outlines of the last frame that was finished.

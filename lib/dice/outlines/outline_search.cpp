@@ -13,31 +13,34 @@ namespace {
 using vector = l3d_vector<double, 3>;
 using place = l3d_picture_place;
 
-/// Smallest size of a piece that is tested for being hidden. Around smaller pieces, the surface at
-/// an outline cannot be told from one that hides it.
+/// The smallest size of a piece that is tested for being hidden. Around smaller pieces, the surface
+/// at an outline cannot be told from one that hides it.
 /// Units: pixels.
 constexpr double least_asked = 8;
 
-/// Largest size of a piece whose sides and folds are searched, and longest line of an outline.
+/// The largest size of a piece whose sides and folds are searched, and the longest line of an
+/// outline.
 /// Units: pixels.
 constexpr double longest_line = 16;
 
-/// The most halvings: down to 2^-20 of a patch along both directions. Beyond them nothing is known.
+/// The most halvings of a patch: down to 2^-20 of it along both directions. Smaller pieces are
+/// marked as boxes.
 constexpr int most_levels = 40;
 
-/// The most pieces of a frame. Beyond them, pieces count as boxes.
+/// The most pieces of a frame. If there are more, each further one is marked as a box.
 constexpr std::int64_t most_pieces = std::int64_t{1} << 21;
 
-/// Relative rounding of normals: sums of 36 products of differences of coordinates.
+/// Bounds the relative rounding of normals, which are sums of 36 products of differences of
+/// coordinates.
 constexpr double rounding = 256 * 0x1p-53;
 
 double mean(double a, double b) {
     return (a + b) / 2;
 }
 
-/// The distance of a piece's or a curve's picture from a linear one of value X. With d_i = x_i -
-/// X_i w_i it is sum B_i (x_i - X w_i) over w. The sum equals sum B_i d_i + sum B_i (X_i - X) (w_i
-/// - w_mean), since sum B_i X_i = X.
+/// Bounds the distance of a piece's or a curve's picture from a linear one with value X. That is
+/// sum B_i (x_i - X w_i) over w. With d_i = x_i - X_i w_i, and since sum B_i X_i = X, the sum
+/// equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean).
 struct linear_error {
     double most = 0, least_w = 0, most_w = 0;
 
@@ -59,7 +62,7 @@ double distance(const place& a, const place& b) {
     return std::hypot(a.x - b.x, a.y - b.y);
 }
 
-/// The pixels, of `count` in a row, whose centres are in [low, high]. Units: pixels.
+/// The range of pixels, among `count` in a row, whose centres are in [low, high]. Units: pixels.
 struct pixel_range {
     int first, end;
 
@@ -75,8 +78,8 @@ l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, const l3d_outl
     : whole_(view), view_(view), reach_(reach), allowed_(std::max(reach.places / 8, 1.0 / 64)),
       depths_(depths), mask_(mask) {}
 
-/// Sets errors and near planes for a patch's share of the view's errors. The near planes are no
-/// farther than these errors push them.
+/// Sets errors and near planes for a patch's share of the view's errors. No near plane is farther
+/// than these errors push it.
 void l3d_outline_search::take_share(double share) {
     view_.take_share(whole_, share);
     radius_ = reach_.places + view_.error_xy / std::max(view_.near, 1e-300);
@@ -99,8 +102,8 @@ void l3d_outline_search::add(const l3d_bezier_patch<double, 3>& patch,
     search(whole);
 }
 
-/// Bernstein coefficients of n.(S - E) over the piece. With the middle C of the points it is n.(C -
-/// E) + n.(S - C). Along the normals' common axis S - C is nearly nothing.
+/// Finds Bernstein coefficients of n.(S - E) over the piece. With the middle C of the points, it is
+/// n.(C - E) + n.(S - C). Along the normals' common axis, S - C is nearly nothing.
 l3d_outline_search::level_set<l3d_outline_search::order>
 l3d_outline_search::facing_of(const piece& p) const {
     vector axis(0.0);
@@ -170,8 +173,8 @@ void l3d_outline_search::search(const piece& p) {
     split(next);
 }
 
-/// Marks the sides of a small piece, and the lines at which it folds or is cut if they are nearly
-/// straight. True if all are marked; the piece keeps note of which are not.
+/// Marks the sides of a small piece. Also marks the lines at which it folds or is cut, if they are
+/// nearly straight. Returns whether all are marked; the piece keeps note of those that are not.
 bool l3d_outline_search::mark_small(piece& p, const level_set<order>& facing) {
     const l3d_image_curve sides[] = {p.net.row(0), p.net.column(3), p.net.row(3), p.net.column(0)};
     for (std::size_t k = 0; k < std::size(sides); ++k)
@@ -183,7 +186,7 @@ bool l3d_outline_search::mark_small(piece& p, const level_set<order>& facing) {
     return !p.may_fold && are_cuts_marked;
 }
 
-/// Marks the lines at which the near and far planes cut a piece. False if one is not nearly
+/// Marks the lines at which the near and far planes cut a piece. Returns false if one is not nearly
 /// straight.
 bool l3d_outline_search::mark_cuts(const piece& p) {
     const l3d_depth_range& w = p.net.w();
@@ -245,8 +248,7 @@ bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& 
     return true;
 }
 
-/// Sets the bits of pixels whose centres are no farther than `radius` from the line between two
-/// places.
+/// Marks the pixels whose centres are no farther than `radius` from the line between two places.
 /// Units: pixels from the picture's centre.
 void l3d_outline_search::add_line(place from, place to, double radius) {
     for (place* end : {&from, &to})
@@ -267,14 +269,14 @@ void l3d_outline_search::add_line(place from, place to, double radius) {
         }
 }
 
-/// Marks the pixels that a box's outlines may reach. Expects: w > 0 in the box.
+/// Marks the pixels that outlines in a box may reach. Expects: w > 0 in the box.
 void l3d_outline_search::add_box(const l3d_image_box& box) {
     const place middle{mean(box.left, box.right), mean(box.top, box.bottom)};
     add_line(middle, middle, fold_radius_ + std::hypot(box.width(), box.height()) / 2);
 }
 
-/// Marks pixels around places that lie nearly on a line, which is widened by their distance from
-/// it. False, with nothing done, if it would be too long or too wide.
+/// Marks pixels around places that lie nearly on a line. The line is widened by their distance from
+/// it. Returns false, with nothing done, if it would be too long or too wide.
 bool l3d_outline_search::add_straight(const place* places, std::size_t count, double error,
                                       double radius) {
     place from = places[0], to = places[0];
@@ -315,9 +317,9 @@ void l3d_outline_search::add_curve(const l3d_image_curve& curve, int level) {
     add_curve(high, level + 1);
 }
 
-/// Marks the places where a polynomial may be 0. They are a strip of the piece, as wide as the
-/// polynomial's distance from a linear one; the strip's picture is nearly a line. True if the strip
-/// is marked, or empty.
+/// Marks the places where a polynomial may be 0. They form a strip of the piece, as wide as the
+/// polynomial's distance from a linear one. The strip's picture is nearly a line. Returns true if
+/// the strip is marked, or empty.
 template <std::size_t N>
 bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     constexpr std::size_t end = N - 1;
@@ -336,8 +338,8 @@ bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     if (std::abs(middle) - (std::abs(in_s) + std::abs(in_t)) / 2 > off)
         return true;
 
-    // Corners of the strip: the unit square's corners within it, and the points where the strip's
-    // two lines cross the square's sides.
+    // Finds the corners of the strip: the unit square's corners within it, and the points where the
+    // strip's two lines cross the square's sides.
     constexpr std::size_t most_corners = 12;
     place corners[most_corners];
     std::size_t count = 0;

@@ -17,12 +17,13 @@ struct l3d_picture_place {
     double x = 0, y = 0;
 };
 
-/// How far a drawn frame may be off, in pixels.
+/// How far a drawn frame may be off, so that the search knows which pixels an outline may reach.
 struct l3d_outline_reach {
-    double focal;          ///< pixels at a distance of 1
-    double depth_by_pixel; ///< the depth of a pixel in a parallel projection
-    double places, depth;  ///< bounds in the picture, and along the normal
-    double farthest_near;  ///< the farthest near plane in use, in the view's w
+    double focal; ///< pixels at a distance of 1
+    double
+        depth_by_pixel;   ///< in a parallel projection, how much depth changes over a pixel's width
+    double places, depth; ///< bounds in the picture and along the normal, in pixels
+    double farthest_near; ///< the farthest near plane in use, in the view's w
 };
 
 /// Marks the pixels near visible outlines in a mask.
@@ -30,26 +31,27 @@ struct l3d_outline_reach {
 /// It halves patches until each piece certainly has no visible outline, or its outline is nearly
 /// straight. It marks all pixels within the bound of a straight outline.
 ///
-/// Three kinds of lines count as outlines. They are the sides that add() names, the cuts by the
-/// near and the far plane, and folds. At a fold the normal is perpendicular to the line of sight.
-/// The bounds hold for the exact patches, whatever grid is drawn. The drawn depths only tell
-/// whether an outline is hidden.
+/// Three kinds of lines count as outlines: the sides that add() names, the cuts by the near and the
+/// far plane, and folds. At a fold the normal is perpendicular to the line of sight. The bounds
+/// hold for the exact patches, whatever grid is drawn. The drawn depths only tell whether an
+/// outline is hidden.
 /// Cost: some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:
-    /// Searches with these bounds of the drawn frame. At a fold, pixels up to half of `reach.depth`
-    /// farther away are marked. So near to a fold, its two sheets are closer than their bounds of
-    /// depth. The fold's picture is a parabola d = k t^2 / 2 over the depth t, and the normal's
-    /// slope is k t. So the sheets, 2 t apart in depth, are 4 d apart along the normal, and each
-    /// may err.
+    /// Prepares a search with these bounds of the drawn frame.
+    ///
+    /// At a fold, pixels up to half of `reach.depth` farther away are marked, too. So near to a
+    /// fold, its two sheets are closer than their bounds of depth together. This is why: the fold's
+    /// picture is a parabola d = k t^2 / 2 over the depth t, and the normal's slope is k t. So the
+    /// sheets, 2 t apart in depth, are 4 d apart along the normal, and each may err.
     /// Lives: borrows view, depths and mask.
     l3d_outline_search(const l3d_dice_view& view, const l3d_outline_reach& reach,
                        const l3d_two_layer_depths& depths, l3d_pixel_bits& mask);
 
-    /// Marks the outlines of a patch. `sides` has bits for the sides that count as outlines
-    /// (l3d_patch_neighbours). `share` is l3d_dice_view::share_of of the patch's own points: far
-    /// patches are known less well than near ones.
-    /// Shape: patch and normals in one space, with the eye in it.
+    /// Marks the outlines of a patch. The bits of `sides` say which sides count as outlines
+    /// (l3d_patch_neighbours). `share` is l3d_dice_view::share_of of the patch's own points, since
+    /// far patches are known less well than near ones.
+    /// Shape: patch, normals and eye are in one space.
     void add(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
              const l3d_vector<double, 3>& eye, const l3d_image_patch& net, unsigned sides,
              double share);
@@ -64,7 +66,7 @@ private:
         unsigned sides = 0;
         bool may_fold = true;
     };
-    /// The Bernstein coefficients of a polynomial over a piece, and a bound of its values' error.
+    /// A polynomial over a piece, by its Bernstein coefficients, and a bound of its values' error.
     template <std::size_t N> struct level_set {
         std::array<double, N * N> at;
         double error = 0;
@@ -85,9 +87,11 @@ private:
                       double radius);
 
     const l3d_dice_view& whole_;
-    l3d_dice_view view_; ///< view with the patch's share of errors; so are all down to window_
+    l3d_dice_view
+        view_; ///< the view with the patch's share of errors, as all members down to window_
     l3d_outline_reach reach_;
-    double radius_ = 0, fold_radius_ = 0; ///< reach of the bounds around a side, or a fold
+    double radius_ = 0,
+           fold_radius_ = 0; ///< how far pixels are marked around a side, and around a fold
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};
     double allowed_; ///< the most by which a line may be too wide

@@ -35,7 +35,8 @@ bool is_whole(std::string_view text, bool is_iges) {
     return last.size() > column && last[column] == 'T';
 }
 
-/// Points and weights of records, taken apart. No weights if all are alike.
+/// Takes records of four numbers apart, into points and weights. There are no weights if all are
+/// alike.
 struct weighted_points {
     std::vector<vector> points;
     std::vector<double> weights;

@@ -78,7 +78,8 @@ void l3d_grid_trims::cut_quad(const l3d_trim_region& region, const l3d_trim_bloc
     quad.cut(region, box);
     const std::array at_border{of.row == 0, of.end_row + 1 == v_.size(), of.column == 0,
                                of.end_column + 1 == u_.size()};
-    // Sides within the grid, with the quad on their left if u runs to the right and v upwards.
+    // Notes sides within the grid so that the quad is on their left, if u runs to the right and v
+    // upwards.
     inner.clear();
     for (std::size_t side = 0; side < at_border.size(); ++side)
         for (const auto& [from, to] : quad.sides()[side]) {

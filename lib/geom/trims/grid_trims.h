@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_grid_trims: the part of a grid's quads that a trimmed region leaves.
+// l3d_grid_trims: finds which quads of a grid a trimmed region leaves, and cuts those on its
+// border.
 #ifndef L3D_GEOM_GRID_TRIMS_H
 #define L3D_GEOM_GRID_TRIMS_H
 
@@ -11,66 +12,68 @@
 #include <span>
 #include <vector>
 
-/// The quads of a grid that lie outside of a region, those inside, and the triangles of those that
-/// its border passes through. It depends on the region and the grid's lines alone, so frames that
-/// dice a patch alike can share it.
+/// Sorts the quads of a grid by a trimmed region. A quad lies inside, lies outside, or is cut: the
+/// border passes through it, and triangles fill its part inside. The result depends on the region
+/// and the grid's lines alone, so frames that dice a patch alike can share it.
 ///
-/// Shape: parts are in the order in which halving meets them; their corners, triangles and sides
-///        are stretches of the arrays here.
+/// Shape: parts are in the order in which halving meets them. Their corners, triangles and sides
+///        are ranges of the arrays here.
 /// Lives: a user keeps one, to reuse its memory.
 class l3d_grid_trims {
 public:
     using stretch = std::array<double, 2>;
 
-    /// A stretch of an array.
+    /// A range of indices into one of the arrays.
     struct range {
         std::uint32_t begin = 0, end = 0;
 
         bool is_empty() const { return begin == end; }
     };
-    /// A place, and its coordinates in its quad along u and v, from 0 to 1.
+    /// A corner in a cut quad: its place, and its coordinates in the quad along u and v, from 0 to
+    /// 1.
     struct corner {
         l3d_trim_place at{};
         std::array<double, 2> part{};
     };
-    /// A side between two corners of its quad, and the triangle beside it.
+    /// A side between two corners of a cut quad, and the triangle beside it. `from` and `to` are
+    /// indices into the quad's corners.
     struct corner_side {
         std::uint32_t from, to, triangle;
         l3d_trim_use use;
     };
-    /// A quad's side on the border of quads that lie inside, where the region follows an edge.
+    /// A side of a quad that lies inside, on the border of the region, where this follows an edge.
     struct grid_side {
         std::uint32_t row, column, end_row, end_column; ///< where it begins and ends
         std::uint32_t quad_row, quad_column;            ///< the quad beside it
         l3d_trim_place from, to;
         l3d_trim_use use;
     };
-    /// Quads that lie inside, or one that is cut.
+    /// A block of quads that lie inside, or one quad that is cut.
     struct part {
         l3d_trim_block of;
         bool is_whole = false;
-        range grid_sides{};           ///< if it is whole
-        range corners{}, triangles{}; ///< if it is cut
+        range grid_sides{};           ///< sides that follow edges, if the block is whole
+        range corners{}, triangles{}; ///< corners and triangles, if the quad is cut
         range border{};               ///< as l3d_trim_triangles has it
         range followed{};             ///< as l3d_trim_triangles has it
         range inner{};                ///< sides at which it meets other quads
     };
 
-    /// The memory for making one.
+    /// The memory that make() works in.
     struct workshop {
         l3d_trim_triangles quad;                          ///< the quad that is cut
         std::vector<l3d_trim_place> places;               ///< its corners, in order
         std::vector<std::array<l3d_trim_place, 2>> inner; ///< its sides within the grid
     };
-    /// Cuts a grid with these lines.
+    /// Sorts and cuts the quads of a grid with these lines.
     void make(const l3d_trim_region& region, std::span<const double> u, std::span<const double> v,
               workshop& in);
-    /// Whether this was made for these lines.
+    /// Whether this was made for a grid with these lines.
     bool is_for(std::span<const double> u, std::span<const double> v) const;
 
     std::span<const part> parts() const { return parts_; }
     std::span<const corner> corners(range of) const { return some(corners_, of); }
-    /// Triangles by the indices of their corners among those of their quad.
+    /// Triangles, as indices into the corners of their quad.
     std::span<const std::array<std::uint32_t, 3>> triangles(range of) const {
         return some(triangles_, of);
     }

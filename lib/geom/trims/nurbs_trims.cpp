@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trims of l3d_nurbs_surface: loops of NURBS curves, and their part in each piece.
+// Trims of l3d_nurbs_surface: makes loops of NURBS curves, unrolls them, and finds their part in
+// each piece.
 #include "geom/nurbs_surface.h"
 
 #include "base/error.h"
@@ -46,8 +47,8 @@ l3d_trim_loop shifted(l3d_trim_loop loop, const l3d_trim_place& by) {
     return loop;
 }
 
-/// A loop whose curves are moved by whole turns, so that each begins where the one before ends; and
-/// the turns that it makes along u and v.
+/// Moves the curves of a loop by whole turns, so that each begins where the one before ends.
+/// Returns the loop, and the turns that it makes along u and v.
 std::pair<l3d_trim_loop, std::array<double, 2>>
 unroll(const l3d_trim_loop& loop, const l3d_trim_box& box, const std::array<bool, 2>& is_closed) {
     std::pair<l3d_trim_loop, std::array<double, 2>> result;
@@ -68,14 +69,14 @@ unroll(const l3d_trim_loop& loop, const l3d_trim_box& box, const std::array<bool
     return result;
 }
 
-/// Closes a loop that runs around along one direction: it continues over the whole box, and returns
+/// Closes a loop that runs around along one direction. It continues over the whole box, and returns
 /// beyond the box.
 void close_around(l3d_trim_loop& way, std::size_t along, double turns, const l3d_trim_box& box) {
     const double period = box.most[along] - box.least[along];
     const l3d_trim_box hull = hull_of(way);
     const l3d_trim_loop once = way;
     way.clear();
-    // It runs from beyond the side at which it begins to beyond the other one.
+    // The copies run from beyond one side of the box to beyond the other.
     const double first = std::floor((box.least[along] - hull.most[along]) / period);
     const double last = std::ceil((box.most[along] - hull.least[along]) / period);
     for (double i = first; i <= last; ++i) {
@@ -99,7 +100,8 @@ bool meet(const l3d_trim_box& a, const l3d_trim_box& b) {
            a.most[1] >= b.least[1];
 }
 
-/// Whether a loop winds an odd number of times around a place outside of its curves' hulls.
+/// Whether a loop winds an odd number of times around a place. Expects: the place is outside of the
+/// hulls of the loop's curves.
 bool winds_around(const l3d_trim_loop& loop, const l3d_trim_place& at) {
     l3d_trim_region chords;
     for (const l3d_trim_curve& curve : loop)
@@ -128,7 +130,8 @@ std::vector<std::array<double, 2>> l3d_spans_of(const l3d_bspline_direction& d) 
     return result;
 }
 
-/// Where no curve's hull meets the box, chords in place of the curves wind around it as often.
+/// Finds the loops for a piece. If no hull of a loop's curves meets the box, its chords wind around
+/// the box as often as its curves.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box) {
     std::vector<l3d_trim_loop> result;
@@ -143,7 +146,7 @@ std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
     }
     if (is_odd)
         result.push_back(l3d_trim_around({}));
-    // A loop around nothing keeps a piece trimmed that lies outside.
+    // A loop around nothing makes sure that a piece outside of all loops still counts as trimmed.
     if (result.empty())
         result.push_back({{{{0, 0, 1}, {0, 0, 1}}}});
     return result;
@@ -170,7 +173,8 @@ l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves,
                                  : use.from + (use.to - use.from) *
                                                   ((t - along.from) / (along.to - along.from));
         };
-        // The curve as a surface that is the same all along v.
+        // Takes the curve as a surface that is the same all along v, so that one function cuts both
+        // into Bezier pieces.
         std::vector<std::array<double, 3>> points;
         std::vector<double> weights;
         for (int row = 0; row < 2; ++row) {
@@ -198,7 +202,8 @@ l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves,
 }
 
 std::array<bool, 2> l3d_closed_ways(const l3d_nurbs_surface& surface) {
-    constexpr double rounding = 0x1p-30; // by the largest coordinate: files round numbers
+    constexpr double rounding =
+        0x1p-30; // relative to the largest coordinate, since files round numbers
     constexpr int places = 16;
     double largest = 0;
     for (const auto& p : surface.points())
@@ -229,8 +234,8 @@ std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_
     if (!why.empty())
         return std::nullopt;
     std::vector<l3d_trim_loop> result;
-    std::array<bool, 2> is_around{}; // whether any loop is around along u, along v
-    double least = HUGE_VAL;         // the lowest value on a loop around
+    std::array<bool, 2> is_around{}; // whether any loop goes around along u, and along v
+    double least = HUGE_VAL;         // the least value across its way on any loop around
     bool is_flipped = false;         // whether that loop leaves the part below it
     for (const l3d_trim_loop& loop : loops) {
         auto [way, turns] = unroll(loop, box, is_closed);
@@ -253,7 +258,7 @@ std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_
             why = "trims go around the surface along u and along v";
             return std::nullopt;
         }
-        // The copies that meet the box.
+        // Adds the copies of the loop that meet the box.
         const l3d_trim_box hull = hull_of(way);
         const auto copies = [&, &turns = turns](std::size_t k) {
             const double period = box.most[k] - box.least[k];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_trapezoids: a line of equal v sweeps upwards, and stops at corners and crossings.
+// l3d_trapezoids: sweeps a line of equal v upwards, and stops at corners and crossings.
 #include "geom/trims/trapezoids.h"
 
 #include <algorithm>
@@ -50,7 +50,8 @@ void l3d_trapezoids::begin(const l3d_trim_region& region) {
     std::ranges::sort(sides_, {}, [](const side& s) { return s.low[1]; });
 }
 
-/// Moves to the next corner or crossing, and ends trapezoids there. False after the last one.
+/// Moves the line to the next corner or crossing, and ends and begins trapezoids there. Returns
+/// false after the last one.
 bool l3d_trapezoids::next_line() {
     if (is_begun_ && next_v_ == std::numeric_limits<double>::infinity())
         return false;
@@ -73,10 +74,11 @@ bool l3d_trapezoids::next_line() {
     return true;
 }
 
-/// Sorts sides by their places in the middle between v_ and `next`, or a lower line if some cross
-/// before. Returns that line.
+/// Sorts the sides from left to right, by their places in the middle between v_ and `next`. If some
+/// cross before `next`, takes the lowest crossing in place of it. Returns the line up to which the
+/// order holds.
 double l3d_trapezoids::order_until(double next) {
-    // Sides nearer than this have met.
+    // Sides that are nearer than this count as met.
     constexpr double rounding = 0x1p-44;
     for (;;) {
         const double middle = v_ + (next - v_) / 2;
@@ -100,7 +102,8 @@ double l3d_trapezoids::order_until(double next) {
     }
 }
 
-/// By the odd rule, the region lies between sides 0 and 1, 2 and 3, and so on.
+/// Finds the trapezoids that are open above v_. By the odd rule, the region lies between sides 0
+/// and 1, 2 and 3, and so on.
 void l3d_trapezoids::pair_up(double next) {
     for (std::size_t i = 0; i + 1 < active_.size(); i += 2) {
         side& left = sides_[active_[i]];
@@ -112,7 +115,7 @@ void l3d_trapezoids::pair_up(double next) {
     }
 }
 
-/// Ends trapezoids that do not continue above v_, and begins others.
+/// Ends the trapezoids that do not continue above v_, and begins new ones.
 void l3d_trapezoids::end_and_begin() {
     ended_.clear();
     marks_.clear();
@@ -128,7 +131,7 @@ void l3d_trapezoids::end_and_begin() {
                         marks_.insert(marks_.end(), {left.at(v_), sides_[right].at(v_)});
     std::ranges::sort(marks_);
     marks_.erase(std::unique(marks_.begin(), marks_.end()), marks_.end());
-    // The points of the line between two sides, as the first index and the count.
+    // Finds the points of the line between two sides, as the first index and the count.
     const auto between = [&](const side& left, const side& right) {
         double from = left.at(v_), to = right.at(v_);
         if (from > to)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_trapezoids: a region as trapezoids between lines of equal v.
+// l3d_trapezoids: cuts a region into trapezoids between lines of equal v.
 #ifndef L3D_GEOM_TRAPEZOIDS_H
 #define L3D_GEOM_TRAPEZOIDS_H
 
@@ -12,24 +12,26 @@
 /// A trapezoid of a region, between two lines of equal v.
 ///
 /// Shape: `low` and `high` are the values of u of the points on its lower and its upper side, in
-///        rising order, at least one on each. `left` and `right` say which edges those sides
+///        rising order. Each has at least one. `left` and `right` name the edges that these sides
 ///        follow, upwards.
 struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
     l3d_trim_use left{}, right{};
-    std::size_t left_side = 0, right_side = 0; ///< the polygons' sides: equal where one continues
+    std::size_t left_side = 0, right_side = 0; ///< indices of the polygons' sides; the same in all
+                                               ///< trapezoids beside one side
 };
 
-/// Cuts a region into trapezoids that meet without T-junctions: where a corner of one lies on the
-/// low or high side of another, it is one of that side's points. Slanted and upright sides of
+/// Cuts a region into trapezoids that meet without T-junctions. If a corner of one lies on the low
+/// or high side of another, it is also a point of that side. Slanted and upright sides of
 /// neighbours have corners of their own.
 ///
 /// Polygons may cross themselves and each other.
-/// Cost: time in proportion to the corners times the sides at one v; memory is kept for reuse.
+/// Cost: time in proportion to the number of corners times that of sides at one v; memory is kept
+///       for reuse.
 class l3d_trapezoids {
 public:
-    /// Calls visit(l3d_trapezoid) for each one.
+    /// Calls visit(l3d_trapezoid) for each trapezoid of a region.
     template <class Visit> void of(const l3d_trim_region& region, const Visit& visit) {
         begin(region);
         while (next_line())
@@ -42,7 +44,8 @@ public:
     }
 
 private:
-    /// A side of a polygon, upwards.
+    /// A side of a polygon, directed upwards. It is also the left side of at most one open
+    /// trapezoid.
     struct side {
         l3d_trim_place low, high;
         l3d_trim_use use{};
@@ -72,9 +75,9 @@ private:
     std::size_t next_side_ = 0, next_corner_ = 0, first_corner_ = 0;
     double next_v_ = 0;
     bool is_begun_ = false;
-    std::vector<std::size_t> active_;   ///< sides at v_, from left to right
-    std::vector<std::size_t> open_;     ///< left sides of trapezoids that continue
-    std::vector<std::size_t> new_open_; ///< those from v_ on
+    std::vector<std::size_t> active_;   ///< the sides that cross the line v_, from left to right
+    std::vector<std::size_t> open_;     ///< left sides of trapezoids that are open below v_
+    std::vector<std::size_t> new_open_; ///< left sides of trapezoids that are open above v_
     std::vector<double> marks_, pool_, keys_;
     std::vector<ended> ended_;
 };

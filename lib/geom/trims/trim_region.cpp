@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Loops become polygons, and polygons are cut by Sutherland's and Hodgman's scheme.
+// l3d_trim_region: makes polygons of loops, and cuts polygons by Sutherland's and Hodgman's scheme.
 #include "geom/trims/trim_region.h"
 
 #include "base/formatted_p.h"
@@ -13,7 +13,7 @@ namespace {
 
 using curve = std::vector<std::array<double, 3>>;
 
-/// The side a b of a polygon where one coordinate is `at`: the same point as that of b a.
+/// The point of a polygon's side a b where one coordinate is `at`. It is the same for b a.
 l3d_trim_place crossing(l3d_trim_place a, l3d_trim_place b, std::size_t along, double at) {
     if (b < a)
         std::swap(a, b);
@@ -26,7 +26,7 @@ l3d_trim_place crossing(l3d_trim_place a, l3d_trim_place b, std::size_t along, d
     return result;
 }
 
-/// Whether a polygon has the box's four corners alone.
+/// Whether a polygon is the box itself: it has the box's four corners, and no other.
 bool is_box(const l3d_trim_polygon& p, const l3d_trim_box& box) {
     const auto is_corner = [&](const l3d_trim_place& at) {
         return (at[0] == box.least[0] || at[0] == box.most[0]) &&
@@ -63,7 +63,7 @@ l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, dou
             result.push_back({p, side});
             return;
         }
-        // The side before has lost its length, but none of its edge.
+        // The side before has lost its length, but not its part of the edge.
         const l3d_trim_use& before = result.back().side;
         if (before.edge == side.edge && before.to == side.from)
             side.from = before.from;
@@ -72,7 +72,7 @@ l3d_trim_polygon part_of(const l3d_trim_polygon& polygon, std::size_t along, dou
     const auto is_in = [&](const l3d_trim_place& p) {
         return above ? p[along] >= at : p[along] <= at;
     };
-    // Each corner that is in gives one at most, and so does each side that is cut.
+    // Each corner that is in gives at most one corner, and so does each side that is cut.
     const auto in = std::ranges::count_if(polygon, is_in);
     if (in == 0)
         return result;
@@ -106,7 +106,7 @@ l3d_trim_region part_of(const l3d_trim_region& region, std::size_t along, double
 }
 
 std::array<curve, 2> halves_of(const curve& whole) {
-    // Homogeneous, lest weights be lost.
+    // Halves homogeneous points, so that weights count.
     curve row = whole;
     for (auto& p : row) {
         p[0] *= p[2];
@@ -129,7 +129,7 @@ std::array<curve, 2> halves_of(const curve& whole) {
     return result;
 }
 
-/// How far a curve may be from its chord, in space. Its points are means of control points.
+/// Bounds how far a curve is from its chord, in space. Its points are means of control points.
 double off_chord(const curve& of, const l3d_trim_place& lengths) {
     const auto scaled = [&](const std::array<double, 3>& p) {
         return l3d_trim_place{p[0] * lengths[0], p[1] * lengths[1]};
@@ -157,7 +157,7 @@ l3d_trim_box hull_of(const curve& of) {
     return hull;
 }
 
-/// Adds the points of a curve but its last.
+/// Adds the corners of a curve to a polygon, except for the last one, which begins the next curve.
 void flatten(const curve& of, const l3d_trim_use& use, const l3d_trim_place& lengths,
              const std::function<double(const l3d_trim_box&)>& wanted, int halvings,
              l3d_trim_polygon& to, l3d_flatness& sum) {
@@ -177,22 +177,23 @@ void flatten(const curve& of, const l3d_trim_use& use, const l3d_trim_place& len
     }
 }
 
-/// Makes a loop a polygon.
+/// Makes a polygon of a loop.
 void flatten(const l3d_trim_loop& loop, const l3d_trim_place& lengths,
              const std::function<double(const l3d_trim_box&)>& wanted, l3d_trim_polygon& to,
              l3d_flatness& sum) {
-    constexpr int most_halvings = 16; // chords of curves fall by 4 with each
+    constexpr int most_halvings = 16; // each lets the distances from chords fall by 4
     for (std::size_t i = 0; i < loop.size(); ++i) {
         const l3d_trim_curve &one = loop[i], &next = loop[i + 1 < loop.size() ? i + 1 : 0];
         flatten(one.points, {one.edge, one.from, one.to}, lengths, wanted, most_halvings, to, sum);
-        // Where rounding left a gap, a straight side belongs to the end of the curve's edge.
+        // Where rounding left a gap, a straight side closes it, which belongs to the end of the
+        // curve's edge.
         const l3d_trim_place end{one.points.back()[0], one.points.back()[1]};
         if (end != l3d_trim_place{next.points.front()[0], next.points.front()[1]})
             to.push_back({end, {one.edge, one.to, one.to}});
     }
 }
 
-/// Why curves are none, if a loop need not be closed.
+/// Says what is wrong with a loop's curves, or "". The loop need not be closed if it `may_be_open`.
 std::string complaint_of(const l3d_trim_loop& loop, bool may_be_open) {
     if (loop.empty())
         return "has no curve";
@@ -259,7 +260,8 @@ l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim
     for (const l3d_trim_loop& loop : loops) {
         l3d_trim_polygon& polygon = to.polygons.emplace_back();
         l3d_flatness sum;
-        // A loop that holds something stays, however small it is: a border is known by its sides.
+        // A loop around an area stays, however small the area is: the map of doubt knows a border
+        // by its sides.
         for (double part = 1; part > 0x1p-16 && is_flat(polygon); part /= 4) {
             polygon.clear();
             sum = {};
@@ -341,7 +343,7 @@ void l3d_join_stretches(std::vector<std::array<double, 2>>& of) {
 }
 
 std::vector<std::array<double, 2>> l3d_trim_region::stretches(std::size_t along, double at) const {
-    // Sides on the line: where an odd number lies, the region ends.
+    // Looks at sides on the line. If an odd number of them lies at a place, the region ends there.
     std::vector<std::array<double, 2>> result;
     for (const l3d_trim_region& half : halves(along, at)) {
         std::vector<double> ends;

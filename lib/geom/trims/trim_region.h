@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The part of a parameter rectangle that trimming loops leave: loops as polygons, cut at lines.
+// l3d_trim_region: the part of a patch's parameters that trims leave. Its loops are polygons, and
+// lines cut it.
 #ifndef L3D_GEOM_TRIM_REGION_H
 #define L3D_GEOM_TRIM_REGION_H
 
@@ -19,22 +20,22 @@
 /// A place in the plane of parameters. Shape: u, v.
 using l3d_trim_place = std::array<double, 2>;
 
-/// The edge of the model that a side of a polygon follows, and the edge's parameters at the ends of
-/// the side.
+/// Says which edge of the model a side of a polygon follows, and the edge's parameters at the ends
+/// of the side.
 struct l3d_trim_use {
     std::uint32_t edge = l3d_no_edge;
     double from = 0, to = 0;
 
-    /// The edge's parameter at a part of the side.
+    /// The edge's parameter at a part of the side, from 0 to 1.
     double at(double part) const { return part >= 1 ? to : from + (to - from) * part; }
 };
 
-/// A corner of a polygon, and what the side from here to the next corner follows.
+/// A corner of a polygon, and the edge that the side from here to the next corner follows, if any.
 struct l3d_trim_corner : l3d_trim_place {
     l3d_trim_use side{};
 };
 
-/// A closed polygon of parameters.
+/// A closed polygon in the plane of parameters.
 using l3d_trim_polygon = std::vector<l3d_trim_corner>;
 
 /// A rectangle of parameters.
@@ -42,35 +43,38 @@ struct l3d_trim_box {
     l3d_trim_place least{0, 0}, most{1, 1};
 };
 
-/// The part of a plane of parameters that polygons bound, by the odd rule: a point is inside if the
-/// polygons that wind around it an odd number of times are odd in number.
+/// A region in the plane of parameters, bounded by polygons. The odd rule says what is inside:
+/// count the polygons that wind around a place an odd number of times. If their number is odd, the
+/// place is inside.
 struct l3d_trim_region {
     std::vector<l3d_trim_polygon> polygons;
 
     bool is_empty() const { return polygons.empty(); }
-    /// Whether each polygon has the box's four corners alone, and they leave all of the box.
+    /// Whether the region is the whole box, as its polygons show at once: each is the box itself,
+    /// and their number is odd.
     bool is_all_of(const l3d_trim_box& box) const;
-    /// The same if they leave nothing, as the outer polygon does in a hole.
+    /// Whether the region is empty, as its polygons show at once: each is the box itself, and their
+    /// number is even. In a hole, for instance, the outer polygon and the hole's become the box.
     bool is_none_of(const l3d_trim_box& box) const;
     /// Whether a place is inside.
     bool contains(const l3d_trim_place& at) const;
 
-    /// Whether a side follows an edge.
+    /// Whether any side follows an edge.
     bool follows_edges() const;
 
     /// Cuts the region at a line of equal u (along = 0) or equal v (along = 1), and returns the
     /// parts below and above the line. Both parts have the same corners on the line, bit for bit,
-    /// and the same parameters of edges there.
-    /// Corners that touch the line from one side alone are an exception.
+    /// with the same parameters of edges. Only corners that touch the line from one side have no
+    /// partner.
     std::array<l3d_trim_region, 2> halves(std::size_t along, double at) const;
-    /// The part in a box.
+    /// The part of the region in a box.
     l3d_trim_region within(const l3d_trim_box& box) const;
     /// The region in the box's own parameters, which run from 0 to 1 each way.
     /// Expects: the region lies in the box.
     l3d_trim_region in_box(const l3d_trim_box& box) const;
 
-    /// The stretches of a line of equal u (along = 0) or equal v (along = 1) that touch the region
-    /// from below or from above.
+    /// The stretches of a line of equal u (along = 0) or equal v (along = 1) at which the region
+    /// lies, on either side of the line.
     /// Shape: first and last value of each stretch, in order; stretches do not touch.
     std::vector<std::array<double, 2>> stretches(std::size_t along, double at) const;
 };
@@ -78,49 +82,53 @@ struct l3d_trim_region {
 /// Sorts stretches, and joins those that touch.
 void l3d_join_stretches(std::vector<std::array<double, 2>>& stretches);
 
-/// Turns loops into polygons. Each polygon is no farther from its loop in space than `wanted`, nor
-/// is the loop from it. Returns the largest such distance.
-/// Shape: `lengths` are the most that a unit of u, and of v, is long in space.
+/// Turns loops of curves into polygons. In space, no polygon is farther from its loop than
+/// `wanted`, nor is the loop from it. Adds them to `to`, and returns the largest distance.
+/// Shape:  `lengths` are upper bounds of the length in space of a unit of u and of v.
 /// Source: the convex hull of control points; halving by de Casteljau's scheme.
 double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                       double wanted, l3d_trim_region& to);
 
-/// How far polygons are off their loops.
+/// How far polygons are off their loops, in space.
 struct l3d_flatness {
     double off = 0;   ///< the largest distance that counts
-    double share = 0; ///< the largest distance by what is wanted for it
+    double share = 0; ///< the largest ratio of a distance to the one that was wanted there
 };
-/// The same with a distance of its own for each part of a curve: wanted(box) has it for the part in
-/// a box. Where it is infinite, no distance counts.
+/// Turns loops into polygons, with a distance of its own for each part of a curve: wanted(box)
+/// gives it for the part in a box. Where it is infinite, the part becomes one chord, whose distance
+/// does not count.
 l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                             const std::function<double(const l3d_trim_box&)>& wanted,
                             l3d_trim_region& to);
 
-/// The largest share that the control points between a rational curve's ends have of any of its
-/// points: the ends have 2^(1 - n) at least among equal weights, where n is the degree.
+/// Bounds the weight that the control points between a rational curve's ends have in any point of
+/// the curve. If these control points are off the chord by some distance, the curve is off by at
+/// most this share of it. Among equal weights, the ends have at least 2^(1 - n), where n is the
+/// degree.
 double l3d_share_between(std::size_t points, double lightest_end, double heaviest_between);
 
-/// How far a curve may be from the chord between its ends, in space. Shape: as l3d_flat_trims.
+/// Bounds how far a curve is from the chord between its ends, in space. Shape: as l3d_flat_trims.
 double l3d_off_chord(const l3d_trim_curve& curve, const l3d_trim_place& lengths);
 
-/// The loops that the piece in a box needs, in the box's own parameters from 0 to 1. In the box,
-/// they leave the same places as all loops of the surface.
+/// Finds the loops that matter for the piece of a surface in a box, in the box's own parameters
+/// from 0 to 1. In the box, they leave the same places as all loops of the surface.
 /// Expects: loops without a complaint.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box);
 
-/// As l3d_trims_complaint, but curves need not begin where others end.
+/// The error message for invalid loops, as l3d_trims_complaint; but curves need not begin where
+/// others end.
 std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops);
 
-/// Loops of a surface that is closed along u, v or both, as closed loops of the plane that leave
-/// the same places of the box. A curve may end at one side of the box where the next begins at the
-/// other, and curves may go on beyond the box.
+/// Turns loops of a surface that is closed along u, v or both into closed loops of the plane. These
+/// leave the same places of the box. A curve may end at one side of the box where the next begins
+/// at the other. Curves may go on beyond the box.
 ///
-/// A loop that goes around the surface, and so comes back at the other side, leaves what is on its
-/// left if u runs to the right and v upwards. If several go around, that of the least v (or u, if
-/// they go along v) decides.
-/// Errors: nothing, and the loop at fault in `why`: as l3d_trims_complaint, for loops that go
-///         around twice, and for loops around both ways.
+/// A loop may go around the surface, and so come back at the other side. It leaves the part on its
+/// left, if u runs to the right and v upwards. If several go around, the one with the least v
+/// decides, or with the least u if they go along v.
+/// Errors: nothing, and the reason in `why`: as l3d_trims_complaint; for a loop that goes around
+///         twice; for loops around both ways.
 std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_loop> loops,
                                                        const l3d_trim_box& box,
                                                        const std::array<bool, 2>& is_closed,
@@ -132,7 +140,7 @@ std::array<bool, 2> l3d_closed_ways(const l3d_nurbs_surface& surface);
 /// The border of a box.
 l3d_trim_loop l3d_trim_around(const l3d_trim_box& box);
 
-/// The ranges of a direction's parameter between knots that differ: one for each Bezier piece.
+/// The ranges of a direction's parameter between different knots: one for each Bezier piece.
 std::vector<std::array<double, 2>> l3d_spans_of(const l3d_bspline_direction& d);
 
 #endif

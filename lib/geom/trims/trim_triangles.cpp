@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_trim_triangles: trapezoids one above another become triangles, and their sides are matched.
+// l3d_trim_triangles: makes triangles of trapezoids one above another, and matches their sides.
 #include "geom/trims/trim_triangles.h"
 
 #include <algorithm>
@@ -32,8 +32,8 @@ void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& 
     find_followed();
 }
 
-/// Layers that share a whole level side are one polygon, which every level line meets once. Where a
-/// side continues from one layer to the next, it has no corner between them.
+/// Stacks layers that share a whole level side. Together they are one polygon, which every level
+/// line meets once. If a side continues from one layer to the next, it has no corner between them.
 void l3d_trim_triangles::stack_layers() {
     const auto low_key = [this](std::size_t i) {
         const auto& [left, right] = layers_[i].low;
@@ -65,7 +65,7 @@ void l3d_trim_triangles::take_layers(std::size_t first) {
         auto& [corners, uses] = chains_[k];
         corners = {layers_[first].low[k]};
         uses.clear();
-        bool begins = true; // a side
+        bool begins = true; // whether a side begins
         for (std::size_t i = first; i != none; i = layers_[i].next) {
             const layer& one = layers_[i];
             if (begins)
@@ -80,11 +80,11 @@ void l3d_trim_triangles::take_layers(std::size_t first) {
     join_corners();
 }
 
-/// Triangulates a polygon between two chains. Source: Garey, Johnson, Preparata and Tarjan,
+/// Triangulates the polygon between two chains. Source: Garey, Johnson, Preparata and Tarjan,
 /// Triangulating a simple polygon, 1978.
 void l3d_trim_triangles::join_corners() {
     const auto &left = chains_[0].corners, &right = chains_[1].corners;
-    // All corners, upwards; a common one is on both chains.
+    // Lists all corners upwards. A corner that the chains have in common is on both.
     corners_.clear();
     std::size_t i = 0, j = 0;
     while (i < left.size() || j < right.size()) {
@@ -135,7 +135,7 @@ void l3d_trim_triangles::add_corners(const chain_corner& a, const chain_corner& 
     note_side(a, c);
 }
 
-/// Records a side of the last triangle that is one of the polygon.
+/// Records a side of the last triangle if it is a side of the polygon.
 void l3d_trim_triangles::note_side(const chain_corner& a, const chain_corner& b) {
     const std::size_t triangle = triangles_.size() - 1;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -204,7 +204,8 @@ void l3d_trim_triangles::take(const l3d_trapezoid& one) {
     take_slanted(one.low.back(), one.high.back(), true);
 }
 
-/// Joins the stretches of each side. Between their ends a neighbour may have no corners.
+/// Joins the stretches of each side, and fills possible gaps by triangles without area. A neighbour
+/// may have no corner where two stretches meet.
 void l3d_trim_triangles::close_sides() {
     for (std::size_t k = 0; k < sides_.size(); ++k) {
         std::vector<stretch>& all = sides_[k];
@@ -226,7 +227,8 @@ void l3d_trim_triangles::close_sides() {
     }
 }
 
-/// The edge that a side of equal v follows: that of the polygon's side whose part it is.
+/// Finds the edge that a side of equal v follows. The side is a part of a polygon's side, and
+/// follows its edge.
 l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) const {
     for (const l3d_trim_polygon& polygon : region_->polygons)
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -242,7 +244,8 @@ l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) con
     return {};
 }
 
-/// A side of equal v belongs to two trapezoids, unless it is border.
+/// Finds the border among sides of equal v. Such a side belongs to two trapezoids, unless it is
+/// border.
 void l3d_trim_triangles::find_level_border() {
     const auto key = [](const level_side& s) { return std::tuple(s.v, s.from, s.to); };
     std::ranges::sort(level_sides_, {}, key);
@@ -260,8 +263,9 @@ void l3d_trim_triangles::find_level_border() {
     std::ranges::sort(border_, {}, &border_side::triangle);
 }
 
-/// On the box's sides, a stretch may follow several edges. Its own side then has corners in
-/// between; triangles without area join them to it.
+/// Finds the parts of the border that follow edges. On a side of the box, a stretch may follow
+/// several edges. It then has corners in between, and triangles without area join these to the
+/// stretch.
 void l3d_trim_triangles::find_followed() {
     for (const border_side& side : border_)
         if (side.use.edge != l3d_no_edge)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_trim_triangles: a trimmed region in a box as triangles; and boxes of a grid, region by
-// region.
+// l3d_trim_triangles: makes triangles of a trimmed region in a box. Also visits the boxes of a grid
+// with their parts of a region.
 #ifndef L3D_GEOM_TRIM_TRIANGLES_H
 #define L3D_GEOM_TRIM_TRIANGLES_H
 
@@ -11,26 +11,27 @@
 #include <span>
 #include <vector>
 
-/// The triangles of a region, with the facts that neighbours of its box need.
+/// Makes triangles of a region in a box, and notes what the neighbours of the box need to know.
 ///
 /// Lives: a user keeps one, to reuse its memory.
 class l3d_trim_triangles {
 public:
     using stretch = std::array<double, 2>;
 
-    /// Cuts a region that lies in a box.
+    /// Makes the triangles of a region. Expects: the region lies in the box.
     void cut(const l3d_trim_region& region, const l3d_trim_box& box);
 
-    /// Triangles that meet without T-junctions, counterclockwise if u runs to the right and v
-    /// upwards. On the box's sides there may be corners that neighbours lack. Triangles without
-    /// area fill gaps that rounding may open between straight sides and these corners.
+    /// The triangles, which meet without T-junctions. They turn counterclockwise if u runs to the
+    /// right and v upwards. On the box's sides there may be corners that neighbours lack. There,
+    /// rounding may open a gap to the straight side; triangles without area fill it.
     std::span<const std::array<l3d_trim_place, 3>> triangles() const { return triangles_; }
 
     /// The parts of the box's sides that the region reaches. Shape: v low, v high, u low, u high;
     /// each in order.
     const std::array<std::vector<stretch>, 4>& sides() const { return sides_; }
 
-    /// A side of a triangle. If u runs to the right and v upwards, the triangle is on its left.
+    /// A side of a triangle on the region's border. The triangle is on its left, if u runs to the
+    /// right and v upwards.
     struct border_side {
         l3d_trim_place from, to;
         std::size_t triangle;
@@ -38,12 +39,12 @@ public:
     };
     /// The region's border within the box, in the order of the triangles.
     std::span<const border_side> border() const { return border_; }
-    /// The parts of the border that follow edges, including those on the box's sides; the latter
-    /// are beside no triangle of their own.
+    /// The parts of the border that follow edges, also those on the box's sides. The latter have no
+    /// triangle of their own beside them.
     std::span<const border_side> followed() const { return followed_; }
 
 private:
-    /// A side of equal v of a trapezoid, within the box.
+    /// A trapezoid's low or high side, if that side lies within the box and not on its border.
     struct level_side {
         double v, from, to;
         bool is_high;
@@ -52,25 +53,24 @@ private:
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// A trapezoid. It has two corners below and two above, which are equal where a side is a
-    /// point.
+    /// A trapezoid with two corners below and two above, which may be the same.
     struct layer {
         std::array<l3d_trim_place, 2> low, high; ///< left and right
-        std::array<l3d_trim_use, 2> use;         ///< the left one, and the right one; upwards
-        std::array<std::size_t, 2> side;         ///< as l3d_trapezoid has them
-        std::size_t next = none;                 ///< the layer that continues above its whole side
-        bool goes_on = false;                    ///< whether it continues another layer
+        std::array<l3d_trim_use, 2> use; ///< edges that the left and the right side follow, upwards
+        std::array<std::size_t, 2> side; ///< as l3d_trapezoid::left_side and right_side
+        std::size_t next = none;         ///< the layer above that shares its whole upper side
+        bool goes_on = false;            ///< whether another layer is below it so
 
         bool is_wide_below() const { return low[0] != low[1]; }
         bool is_wide_above() const { return high[0] != high[1]; }
     };
-    /// A corner of layers one above another. Its indices in their left and right border; none in a
-    /// border that it is not on.
+    /// A corner of a stack of layers, and its indices in the left and the right border. An index is
+    /// `none` in a border on which the corner does not lie.
     struct chain_corner {
         l3d_trim_place at;
         std::array<std::size_t, 2> place;
     };
-    /// The corners of a border of layers, upwards, and the edges that its sides follow.
+    /// One border of a stack of layers: its corners, upwards, and the edges that its sides follow.
     struct chain {
         std::vector<l3d_trim_place> corners;
         std::vector<l3d_trim_use> uses;
@@ -87,7 +87,7 @@ private:
     void find_followed();
     void find_level_border();
 
-    const l3d_trim_region* region_ = nullptr; ///< during the cut
+    const l3d_trim_region* region_ = nullptr; ///< valid during cut()
     l3d_trim_box box_;
     l3d_trapezoids trapezoids_;
     std::vector<std::array<l3d_trim_place, 3>> triangles_;
@@ -96,17 +96,18 @@ private:
     std::vector<level_side> level_sides_;
     std::vector<layer> layers_;
     std::vector<std::size_t>
-        begins_;                  ///< layers that are wide below, from left to right and upwards
-    std::array<chain, 2> chains_; ///< left and right borders of layers that are triangulated
+        begins_; ///< layers that are wide below, from left to right and upwards
+    std::array<chain, 2>
+        chains_; ///< the left and the right border of the stack that is being triangulated
     std::vector<chain_corner> corners_, waiting_;
 };
 
-/// Quads of a grid: from a row and a column on, before the end of each.
+/// A block of quads of a grid: rows [row, end_row) and columns [column, end_column).
 struct l3d_trim_block {
     std::size_t row, end_row, column, end_column;
 };
 
-/// Calls visit(use, from, to) for the sides of quads on the border of a block that a region fills,
+/// Calls visit(use, from, to) for sides of quads on the border of a block that a region fills,
 /// where the region follows an edge.
 template <class Visit>
 void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const double> u,
@@ -134,9 +135,9 @@ void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const doubl
         }
 }
 
-/// Halves a region along a grid's lines. Calls visit(block, nullptr) for quads outside, and
-/// visit(block, region) for quads inside or a single one that the border crosses. The region of
-/// quads inside is the whole block.
+/// Halves a region along a grid's lines until each part is simple. Calls visit(block, nullptr) for
+/// quads outside, and visit(block, region) for a block of quads inside or a single quad that the
+/// border crosses. For quads inside, the region is the whole block.
 /// Expects: the region lies in the block.
 template <class Visit>
 void l3d_for_trimmed_blocks(const l3d_trim_region& region, std::span<const double> u,

@@ -50,8 +50,8 @@ public:
         bool cull_hidden = false;
         /// The index of the model's first material among the picture's materials.
         std::uint32_t first_material = 0;
-        /// The first triangle's number among materials, if each triangle has one of its own
-        /// (l3d_face_paints). Expects: the model has materials.
+        /// If each triangle has a material of its own (l3d_face_paints), the index of the first
+        /// triangle's. Expects: the model has materials.
         std::optional<std::uint32_t> first_painted{};
     };
 

@@ -44,7 +44,7 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
                     std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
                     std::size_t end, placed_vertices& to);
 
-/// The choice among the triangles of a model.
+/// The rules by which triangles of a model are chosen to be drawn.
 struct triangle_choice {
     const l3d_polygon_model& model;
     const l3d_polygon_view& view;
@@ -53,7 +53,7 @@ struct triangle_choice {
     bool squares = false; ///< take triangles that hold no pixel's centre, too
 };
 
-/// Some triangles that may be seen, in the model's order.
+/// The triangles that were chosen, in the model's order.
 struct chosen_triangles {
     static constexpr std::size_t room = 256; ///< 2 KB, less than the nearest cache holds
     /// The sign bit of a float.

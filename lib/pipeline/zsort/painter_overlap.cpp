@@ -52,8 +52,9 @@ void clip(std::span<const picture_point> polygon, const Inside& inside, picture_
     }
 }
 
-/// Which of two triangles is in front at a corner of one of them, by more than `tie`.
-/// `corners_are_first` tells whose corners they are.
+/// Finds which of two triangles is in front at the corners of one of them, by more than `tie`.
+/// `plane` is the other triangle's plane of depth. `corners_are_first` tells whether `corners` are
+/// those of the first triangle.
 front_parts front_at_corners(const triangle& corners, const l3d_picture_plane& plane, double tie,
                              bool corners_are_first) {
     front_parts front;

@@ -75,7 +75,8 @@ public:
         return {entries_.data() + begins_[tile], entries_.data() + ends_[tile]};
     }
 
-    /// Whether tiles have a cell for each pixel, and most entries know their pixels.
+    /// Whether a tile has a cell for each of its pixels, and items draw nothing but the pixels that
+    /// they cover. Then most entries know their pixels.
     bool have_pixels() const { return shift_ == cell_bits && items_->are_pixels_all(); }
 
     /// Forgets the members of a tile for which `keep` is false. Threads may do so side by side.

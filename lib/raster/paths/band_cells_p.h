@@ -46,10 +46,11 @@ public:
     void write(span_writer& to);
 
 private:
-    /// Pixels whose values are found together.
+    /// The number of pixels whose values are found together.
     static constexpr std::size_t group = 8;
-    /// The sums over all edges in a pixel: the integrals of the windings that they add, on the
-    /// pixel's right side and within the pixel, and the number of times that outlines pass.
+    /// The sums over all edges in a pixel. `cover` is the integral of the windings that they add
+    /// along the pixel's right side, and `area` that over the pixel. `visits` counts how often
+    /// outlines pass.
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;

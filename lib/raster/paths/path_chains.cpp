@@ -80,13 +80,13 @@ void path_chains::cut_at_sides() {
     }
 }
 
-/// Ends an outline, and cuts it into blocks and perhaps chains. Outlines beside the picture are
-/// dropped: a dashed line may have a million of them.
+/// Ends an outline, and cuts it into blocks and perhaps chains. It drops outlines beside the
+/// picture, since a dashed line may have a million of them.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
     corners_.push(closing);
     if (reached_.most <= 0 || reached_.least >= width_)
-        return corners_.keep(outline_); // closed and outside, it winds around no pixel
+        return corners_.keep(outline_); // a closed outline beside the picture winds around no pixel
     if (reached_.least < 0 || reached_.most > width_)
         cut_at_sides();
     const std::size_t last = corners_.size() - 1, first_block = blocks_.size();

@@ -16,7 +16,7 @@ namespace {
 /// their polygons up to 10 MB. A band of a usual frame has fewer.
 constexpr std::size_t least_most_fragments = std::size_t{1} << 16;
 
-/// The pixels that may have a sample in a box.
+/// Finds the pixels that may have a sample in a box.
 l3d_pixel_box samples_between(const l3d_subpixel_box& box) {
     constexpr std::int32_t first = l3d_subpixel_one / sample_places::cells / 2;
     return {(box.left + first - 1) >> l3d_subpixel_bits, (box.top + first - 1) >> l3d_subpixel_bits,
@@ -42,8 +42,8 @@ void band_fragments::add(const band_list& list, const band_item& item, bool leve
     add_triangles(*item.part, item.triangle_begin, item.triangle_end);
     const band_rows* const rows = list.rows(item);
     for (int row = item.cells.row_begin; row < item.cells.row_end; ++row) {
-        // The quads may cover centres of the rows `reached`, and parts of one more row on
-        // either side.
+        // The quads may cover centres of the rows `reached`, and parts of one more row on either
+        // side.
         const band_rows& reached = rows[row - item.cells.row_begin];
         const l3d_pixel_box strip{inside_.left, std::max(reached.top - 1, inside_.top),
                                   inside_.right, std::min(reached.bottom + 1, inside_.bottom)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// band_fragments: the parts of polygons that are seen in the marked pixels of a band.
+// band_fragments: gathers the parts of polygons that are seen in the marked pixels of a band.
 #ifndef L3D_RASTER_REFINE_BAND_FRAGMENTS_P_H
 #define L3D_RASTER_REFINE_BAND_FRAGMENTS_P_H
 
@@ -18,21 +18,24 @@
 
 namespace l3d_detail {
 
-/// The marked pixels of a band, row by row, and the fragments of polygons that are seen in them.
+/// Gathers the fragments of polygons that are seen in the marked pixels of a band. A fragment is
+/// the part of a polygon in one pixel.
 ///
 /// Lives: one for each worker, kept for its memory.
 /// Cost:  memory for the marked pixels, for the fragments that are seen, and for as many more.
 ///        Hidden fragments are removed whenever their number has doubled.
 class band_fragments {
 public:
-    /// Starts a band of a picture, or only its first rows with at least `most` marked pixels.
-    /// Returns: the end of these rows.
+    /// Starts a band of a picture. If its first rows have at least `most` marked pixels, only these
+    /// rows are taken.
+    /// Returns: the end of the rows taken.
     /// Expects: the band begins at a tile of marked_pixels.
     std::int32_t begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
                        const l3d_pixel_box& band, std::size_t most);
 
-    /// Sets the colours of the frame's materials, if it has any and words are levels. `by_material`
-    /// tells whether shaders take the index of the material instead.
+    /// Sets the colours of the frame's materials. There are none unless the frame has materials and
+    /// words are levels. `by_material` tells whether shaders take the index of the material
+    /// instead.
     /// Lives: until the next call.
     void use_colors(std::span<const std::uint32_t> colors, bool by_material) {
         colors_ = colors;
@@ -40,18 +43,19 @@ public:
     }
 
     /// Adds those quads and triangles of an item that reach a marked pixel and may be seen there.
-    /// They are seen if no farther than everything drawn in the pixel and around it. Folded quads
-    /// are added in pieces. `levels` tells whether the mode is l3d_shade::levels.
+    /// They may be seen if they are no farther than everything drawn in the pixel and around it.
+    /// Folded quads are added in pieces. `levels` tells whether the mode is l3d_shade::levels.
     void add(const band_list& list, const band_item& item, bool levels);
 
-    /// Opens again each closed pixel with a sample that no polygon covers, and removes its
-    /// fragments. Returns whether there are any. Slits leave such samples, or gaps through which
-    /// farther things are seen. All items are then to be added once more, for these pixels only.
+    /// Opens each closed pixel again that has a sample which no polygon covers, and removes its
+    /// fragments. Returns whether there are any. Then the caller has to add all items once more;
+    /// only these pixels take them. Slits leave such samples, or gaps through which farther things
+    /// are seen.
     bool reopen() { return pixels_.reopen(); }
 
     std::span<const marked_pixel> pixels() const { return pixels_.pixels(); }
 
-    /// Whether something was drawn in pixel i and in all pixels around it. Then samples without a
+    /// Whether something was drawn in pixel i and in all pixels around it. If so, samples without a
     /// polygon do not show the background: some polygons have not been added.
     bool closed(std::size_t i) const { return pixels()[i].is_closed; }
 
@@ -99,12 +103,10 @@ private:
     std::vector<fragment_polygon> polygons_; ///< polygons, with room for more
     std::size_t polygon_count_ = 0;          ///< polygons in use
     std::vector<fragment> fragments_;        ///< fragments, with room for more
-    std::vector<fragment> kept_;             ///< the fragments that are left when hidden ones are
-                                             ///< removed
+    std::vector<fragment> kept_;             ///< fragments left after hidden ones are removed
     std::size_t count_ = 0;                  ///< fragments in use
-    std::size_t most_fragments_ = 0;         ///< number of fragments at which hidden ones are
-                                             ///< removed
-    std::vector<std::uint32_t> names_;       ///< the polygons' indices once hidden ones are removed
+    std::size_t most_fragments_ = 0;         ///< fragments at which hidden ones are removed
+    std::vector<std::uint32_t> names_;       ///< new indices of polygons after that
 };
 
 } // namespace l3d_detail

@@ -14,7 +14,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// How a quad turns at one of its sides: 1 to the right, -1 to the left, 0 if it covers nothing.
+/// Tells how a quad turns at one of its sides: 1 to the right, -1 to the left, 0 if it covers
+/// nothing.
 int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
     const quad_corners v = corners_of(grid, grid.index(edge.row, edge.column));
     const quad_turns turns(v);
@@ -27,7 +28,7 @@ int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
     return is_right ? 1 : -1;
 }
 
-/// How a triangle turns: 1 to the right, -1 to the left, 0 if it covers nothing.
+/// Tells how a triangle turns: 1 to the right, -1 to the left, 0 if it covers nothing.
 int turn_of(const l3d_micro_triangles& all, int triangle) {
     const std::int64_t area = all.double_area(static_cast<std::size_t>(triangle));
     return (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);
@@ -123,8 +124,8 @@ std::span<const contour_edge> border_edges::match() {
             break;
         }
     }
-    // The surfaces on both sides of a crease may be nearer to the eye than the crease, by a change
-    // of depth in a pixel.
+    // The surfaces on both sides of a crease may be nearer to the eye than the crease itself: by as
+    // much as depth changes in a pixel. So a crease counts as nearer.
     constexpr float in_front = 1 + 1.0f / 512;
     for (border& b : edges_) {
         if (b.is == kind::crease)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// border_edges: the borders of parts at which a surface ends, folds over or has a crease.
+// border_edges: finds the borders of parts at which a surface ends, folds over or has a crease.
 #ifndef L3D_RASTER_REFINE_BORDER_EDGES_P_H
 #define L3D_RASTER_REFINE_BORDER_EDGES_P_H
 
@@ -14,13 +14,13 @@
 namespace l3d_detail {
 
 /// Finds the borders of a band's parts that are contours. Two parts that share an edge have the
-/// same vertices there, bit by bit. If both lie on the same side of the edge, the surface folds
-/// over there. If they lie on different sides, the surface continues, and the edge is seen only if
-/// their levels differ.
+/// same vertices there, bit by bit. If both lie on the same side of the edge in the picture, the
+/// surface folds over there. If they lie on different sides, the surface continues. Then the edge
+/// is a contour only if their levels differ.
 /// Lives: one for each worker, kept for its memory.
 class border_edges {
 public:
-    /// Starts pixel rows [top, bottom).
+    /// Starts a band: the pixel rows [top, bottom).
     void begin(std::int32_t top, std::int32_t bottom) {
         top_ = top;
         bottom_ = bottom;

@@ -21,7 +21,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Finds the turns of a row's quads, from column `begin` to `end`. Quad c has bit c % 64 of word c
+/// Finds how the quads of a row turn, from column `begin` to `end`. Quad c has bit c % 64 of word c
 /// / 64. Differences and products are exact for quads up to 16 pixels, and rounded for larger ones.
 /// Every caller gets the same answer.
 /// Expects: begin is a multiple of 64, and the words are 0.
@@ -97,8 +97,7 @@ std::span<const contour_edge> contour_edges::find(const band_list& list, const b
     };
     int filled = -1; // the row whose turns are in here_
     for (int row = cells.row_begin; row < cells.row_end; ++row) {
-        // `reached` are the rows whose centres the quads may cover. The quads reach one more row on
-        // either side.
+        // The quads may cover centres of the rows `reached`, and reach one more row on either side.
         const band_rows& reached = list.rows(item)[row - cells.row_begin];
         if (reached.top - 1 >= bottom || reached.bottom + 1 <= top)
             continue;

@@ -13,24 +13,26 @@
 
 namespace l3d_detail {
 
-/// An edge of a contour, from one vertex to another. In the picture, the surface lies on its right,
-/// and farther things are seen on its left.
+/// An edge of a contour, from one vertex to another. In the picture, the surface lies on its right.
+/// Farther things are seen on its left.
 struct contour_edge {
     scan_point from, to; ///< units: 1/256 pixel
     float nearest = 0;   ///< the larger inv_w of both vertices
 };
 
-/// Finds the edges between a polygon that turns to the right in the picture and one that does not.
-/// A folded quad is taken as the four triangles by which it is filled.
+/// Finds the edges of grids at which a surface folds over. They lie between a polygon that turns to
+/// the right in the picture and one that does not. A folded quad is taken as the four triangles by
+/// which it is filled.
 ///
 /// Around a vertex, polygons that turn to the right fill the same angle as those that turn to the
-/// left. So both kinds end at such an edge. A surface has no outlines except these edges and its
-/// borders.
+/// left. So both kinds end at such an edge. A surface has no other outlines than these edges and
+/// its borders.
 /// Lives: one for each worker, kept for its memory.
 class contour_edges {
 public:
-    /// The edges of an item's quads that may reach pixel rows [top, bottom). Edges at the item's
-    /// upper and left ends are its own; edges at its lower and right ends are its neighbours'.
+    /// Finds the edges of an item's quads that may reach pixel rows [top, bottom). Edges at the
+    /// item's upper and left ends are its own; those at its lower and right ends belong to its
+    /// neighbours.
     /// Returns: valid until the next call.
     std::span<const contour_edge> find(const band_list& list, const band_item& item,
                                        std::int32_t top, std::int32_t bottom);
@@ -41,8 +43,8 @@ private:
                      bool left_turns);
     void add_spokes(const l3d_micro_grid& grid, int row, int column);
 
-    std::vector<std::uint64_t> above_, here_; ///< a row's bits: which quads turn to the right, then
-                                              ///< which are folded
+    /// The bits of a row of quads: first those that turn to the right, then those that are folded.
+    std::vector<std::uint64_t> above_, here_;
     std::vector<contour_edge> edges_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// depth_steps: finds the few pixels whose levels jump, by vectors of channels.
+// mark_jumps: finds the few pixels whose levels jump, by vectors of channels.
 #include "raster/refine/depth_steps_p.h"
 
 #undef HWY_TARGET_INCLUDE
@@ -56,7 +56,7 @@ HWY_ATTR HWY_INLINE level_lanes load(const std::uint32_t* from) {
     return hn::LoadU(levels, reinterpret_cast<const std::uint8_t*>(from));
 }
 
-/// A bit for each channel above jump_levels, except for transparency.
+/// Sets a bit for each channel above jump_levels, except for transparency.
 HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     const auto most = hn::Set(levels, std::uint8_t{jump_levels});
     std::uint8_t bytes[sizeof(std::uint64_t)] = {};
@@ -66,7 +66,7 @@ HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     return bits & 0x7777777777777777;
 }
 
-/// Whether a channel of some pixels may jump between a pixel and the one on its right or below.
+/// Whether a channel of any of some pixels may jump to the pixel on its right or below.
 /// Transparency counts as a channel here.
 HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* next) {
     const auto here = load(row), beside = load(row + 1), below = load(next);

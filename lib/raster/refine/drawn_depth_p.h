@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// drawn_depth: the depths of a drawn picture, and what they hide.
+// drawn_depth: tells what the depths of a drawn picture hide.
 #ifndef L3D_RASTER_REFINE_DRAWN_DEPTH_P_H
 #define L3D_RASTER_REFINE_DRAWN_DEPTH_P_H
 
@@ -27,7 +27,7 @@ public:
         const std::int32_t left = std::max(x - 1, window_.left), top = std::max(y - 1, window_.top),
                            right = std::min(x + 1, window_.right - 1),
                            bottom = std::min(y + 1, window_.bottom - 1);
-        // They have four tiles at most.
+        // The pixels lie in at most four tiles.
         const bool is_wide = left / depth_tile::width != right / depth_tile::width;
         const bool is_high = top / depth_tile::height != bottom / depth_tile::height;
         if (!coarse_->drawn_at(left, top) || (is_wide && !coarse_->drawn_at(right, top)) ||
@@ -43,7 +43,7 @@ public:
     }
 
     /// Whether a pixel and all its neighbours show surfaces at least as near as `inv_w`. The
-    /// neighbour (x + to_x, y + to_y) is tested first, so choose one that likely does not.
+    /// neighbour (x + to_x, y + to_y) is tested first: choose one that likely shows none.
     /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
     bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
                std::int32_t to_y) const {

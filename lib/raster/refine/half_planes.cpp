@@ -16,8 +16,8 @@ half_planes::half_planes(std::span<const std::int16_t, 64> x, std::span<const st
         std::uint64_t* const row = masks_.data() + turn * in_row;
         for (std::size_t i = 0; i < x.size(); ++i) {
             const double right = (x[i] + 0.5) / cells - 0.5, down = (y[i] + 0.5) / cells - 0.5;
-            // The place is on the line's side from that step on whose middle e is the first with e
-            // + dx y - dy x >= 0.
+            // The place is on the line's side from a first step on. That is the first one whose
+            // middle e has e + dx y - dy x >= 0.
             const double first = std::ceil((0.5 + dy * right - dx * down) * steps - 0.5);
             if (first < steps)
                 row[static_cast<std::size_t>(std::max(first, 0.0)) + 1] |= std::uint64_t{1} << i;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// half_planes: the samples of a square on one side of a straight line.
+// half_planes: finds the samples of a square on one side of a straight line.
 #ifndef L3D_RASTER_REFINE_HALF_PLANES_P_H
 #define L3D_RASTER_REFINE_HALF_PLANES_P_H
 
@@ -10,24 +10,23 @@
 
 namespace l3d_detail {
 
-/// A table for anti-aliasing: it tells which of 64 places in a square of side 1 lie on one side of
+/// A table for anti-aliasing. It tells which of 64 places in a square of side 1 lie on one side of
 /// a line.
 ///
-/// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1, and a distance e. A place
-/// (x, y), measured from the square's middle, is on the line's side if e + dx y - dy x >= 0. So
-/// lines with |e| > 1/2 miss the square.
+/// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1, and a distance e. A place (x,
+/// y), measured from the square's middle, is on the line's side if e + dx y - dy x >= 0. So lines
+/// with |e| > 1/2 miss the square.
 ///
 /// Both dx and e are rounded to steps. Half a step is 1/128 in dx, which moves a line by less than
-/// 1/128 within the square, and 1/252 in e. The share of the square on one side then has an error
-/// of 1/126 / sqrt(12) = 0.0023 in the root of the mean square. Counting 64 samples has five times
-/// this error.
+/// 1/128 within the square, and 1/252 in e. So the share of the square on one side has an error
+/// with a root mean square of 1/126 / sqrt(12) = 0.0023. Counting 64 samples has five times this
+/// error.
 class half_planes {
 public:
     static constexpr std::size_t turns = 128; ///< steps of dx, from a direction to the opposite one
     static constexpr std::size_t steps = 126; ///< steps of e, from -1/2 to 1/2
     static constexpr std::size_t in_row = steps + 2;
-    static constexpr float middle = (steps + 1) / 2.0f; ///< the place of e = 0 in a row of the
-                                                        ///< table
+    static constexpr float middle = (steps + 1) / 2.0f; ///< the place of e = 0 in a row
     static constexpr float first_turn = turns / 2.0f;   ///< the row of the table for dx = 0
 
     /// Makes the table. Each place is the middle of one of cells x cells cells of the square.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// marked_pixels: the pixels of a band that are sampled, in tiles.
+// marked_pixels: lists the pixels of a band that are sampled, in tiles.
 #ifndef L3D_RASTER_REFINE_MARKED_PIXELS_P_H
 #define L3D_RASTER_REFINE_MARKED_PIXELS_P_H
 
@@ -14,19 +14,20 @@
 
 namespace l3d_detail {
 
-/// A marked pixel: one that is sampled for anti-aliasing.
+/// A pixel that is sampled for anti-aliasing, and the facts about the polygons that were added to
+/// it.
 struct marked_pixel {
     std::int32_t x, y;
     std::uint32_t last; ///< the fragment that was added last
     bool is_closed;     ///< whether something was drawn in the pixel and in all pixels around it
-    /// The farthest depth that can be seen. It is the farthest depth drawn in the pixel and around
-    /// it, or that of polygons that cover all samples.
+    /// The farthest depth that can still be seen. At first it is the farthest depth drawn in the
+    /// pixel and around it. Polygons that cover all samples may bring it nearer.
     float farthest;
     float least;           ///< the least inv_w of the polygons that were added
     std::uint64_t covered; ///< the samples that these polygons cover
 };
 
-/// The marked pixels of a band.
+/// The marked pixels of a band, by tiles, so that a polygon finds those it may reach.
 ///
 /// Shape: rows of tiles of 8 x 8 pixels. A tile has a bit for each pixel: bit 8 row + column.
 ///        Pixels are listed tile by tile, and in each tile in the order of bits.
@@ -40,17 +41,18 @@ public:
         std::uint32_t first = 0; ///< the index of its first marked pixel
     };
 
-    /// Starts a band, or only its first rows of tiles with at least `most` marked pixels.
+    /// Starts a band. If its first rows of tiles have at least `most` marked pixels, only these
+    /// rows are taken.
     /// Expects: the band begins at a tile.
     void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band,
                std::size_t most);
 
-    /// Opens again the closed pixels that the added polygons do not cover wholly, and empties them.
-    /// They take all polygons, also those behind the surfaces drawn there. All other pixels take no
-    /// more fragments. Returns whether any pixel is open.
+    /// Opens closed pixels again that the added polygons do not cover wholly, and removes their
+    /// fragments. They take all polygons, also those behind the surfaces drawn there. All other
+    /// pixels take no more fragments. Returns whether any pixel is open.
     bool reopen();
 
-    /// The tiles that have open pixels in a box, one after the other.
+    /// Walks the tiles that have open pixels in a box, one after the other.
     /// Expects: the box lies in the band, and is not empty.
     class open_tiles {
     public:

@@ -14,10 +14,10 @@ namespace l3d_detail {
 
 namespace {
 
-/// A slice of a band ends with the row of tiles in which it reaches this number of marked pixels.
-/// Bands of usual frames have fewer. A pixel keeps up to twice the 64 fragments that can be seen,
-/// 16 bytes each. So a slice of a picture 1024 pixels wide has up to 2047 + 8 x 1024 pixels and
-/// takes 21 MB.
+/// The number of marked pixels that ends a slice of a band, with the row of tiles in which it is
+/// reached. Bands of usual frames have fewer. A pixel keeps up to twice the 64 fragments that can
+/// be seen, 16 bytes each. So a slice of a picture 1024 pixels wide has up to 2047 + 8 x 1024
+/// pixels and takes 21 MB.
 constexpr std::size_t most_in_slice = 2048;
 
 l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
@@ -32,8 +32,8 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
                                std::nextafter(item.nearest, HUGE_VALF));
 }
 
-/// Marks the pixels of a band that an edge passes through, where it is not hidden. An edge on the
-/// border of two pixels counts for the first one.
+/// Marks the pixels of a band through which an edge passes, where the edge is not hidden. An edge
+/// on the border of two pixels counts for the first one.
 void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_depth& depth,
                l3d_pixel_bits& marks) {
     const auto sign = [](std::int32_t n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); };
@@ -43,7 +43,7 @@ void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_d
         std::swap(high, low);
     const std::int32_t first = std::max((high.y - 1) >> l3d_subpixel_bits, box.top);
     const std::int32_t last = std::min((low.y - 1) >> l3d_subpixel_bits, box.bottom - 1);
-    // How far the edge goes to the right per lattice unit downwards, in units of 2^-32.
+    // How far the edge goes to the right for a lattice unit downwards, in units of 2^-32.
     const std::int64_t slope =
         low.y > high.y ? (std::int64_t{low.x - high.x} << 32) / (low.y - high.y) : 0;
     const auto place_at = [&](std::int32_t y) {
@@ -115,7 +115,7 @@ void picture_refiner::draw_marked(const drawn_frame& frame, int band, worker_spa
     }
 }
 
-/// Draws the marked pixels with which a worker's fragments began.
+/// Draws the marked pixels of the slice with which the worker's fragments were begun.
 void picture_refiner::draw_slice(const drawn_frame& frame, int band, worker_space& space) {
     if (space.fragments.pixels().empty())
         return;

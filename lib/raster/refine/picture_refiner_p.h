@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// picture_refiner: anti-aliasing of a picture that has been drawn.
+// picture_refiner: smooths the edges of a picture that has been drawn.
 #ifndef L3D_RASTER_REFINE_PICTURE_REFINER_P_H
 #define L3D_RASTER_REFINE_PICTURE_REFINER_P_H
 
@@ -30,9 +30,9 @@ struct drawn_frame {
     int rows = 0;         ///< the number of rows in a band
 };
 
-/// Finds the pixels at edges, and draws them again with anti-aliasing. These are pixels through
-/// which a visible contour passes, and pixels on both sides of jumps of level. Each then shows the
-/// mean light of its 64 samples.
+/// Finds the pixels at edges, and draws them again with anti-aliasing. A visible contour passes
+/// through them, or they lie on both sides of a jump of level. Each then shows the mean light of
+/// its 64 samples.
 ///
 /// The pixels of a band depend on the items of the frame, and on the unrefined levels and depths
 /// around them. So they depend neither on the division into bands nor on the number of workers.
@@ -40,12 +40,13 @@ struct drawn_frame {
 class picture_refiner {
 public:
     /// Refines the picture of a frame, and returns the number of refined pixels.
-    /// Expects: one call at a time; items have the boxes of all squares that they reach.
+    /// Expects: one call at a time; the boxes of items hold all squares of pixels that the items
+    ///          reach.
     std::int64_t refine(const drawn_frame& frame, l3d_workers& workers);
 
 private:
     /// The memory of one worker.
-    /// Shape: begins at two cache lines, so that workers do not share any.
+    /// Shape: it begins a pair of cache lines, so that workers do not share any.
     struct alignas(128) worker_space {
         contour_edges edges;
         border_edges borders;
@@ -61,9 +62,9 @@ private:
     std::vector<worker_space> each_worker_;
 };
 
-/// Writes the pixel words of a band's marked pixels. A word is the mean of the light in the middles
-/// of the polygons' visible parts, weighted by their numbers of samples. `has_color` tells whether
-/// polygons have the colours of materials.
+/// Writes the pixel words of a band's marked pixels. A word is the mean light of the polygons'
+/// visible parts, each taken in its middle and weighted by its number of samples. `has_color` tells
+/// whether polygons have the colours of materials.
 void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   std::span<const l3d_material> materials, bool has_color,
                   const l3d_pixels& target);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pixel_light: finds the light of polygons at places, in linear light.
+// light_pixels: finds the light of polygons at places, in linear light.
 #include "raster/refine/picture_refiner_p.h"
 
 #include "raster/color/linear_light_p.h"
@@ -45,12 +45,13 @@ struct light_sum {
     }
 };
 
-/// The levels of a polygon in mode l3d_shade::levels: a plane through its corners' levels, raised
-/// by the mean height of the surface above it.
+/// The levels of a polygon in mode l3d_shade::levels. They form a plane through its corners'
+/// levels, raised by the mean height of the surface above it.
 ///
-/// If a side's middle is up by h, its share is 4 h times the product of two barycentric
-/// coordinates. That product has the mean 1/12 over a triangle, so the mean height is h / 3. Over a
-/// quad it is two thirds of the mean of opposite sides, so h / 3 for each side, too.
+/// If the level in a side's middle is up by h, the side raises the level by 4 h times the product
+/// of two barycentric coordinates. That product has the mean 1/12 over a triangle, so the mean
+/// height is h / 3. Over a quad it is two thirds of the mean of opposite sides, so h / 3 for each
+/// side, too.
 class level_surface {
 public:
     explicit level_surface(const fragment_polygon& of)
@@ -62,7 +63,8 @@ public:
         most_ = most;
     }
 
-    /// The level at a place, held between the corners' levels, as the plane of a sliver is steep.
+    /// The level at a place. The plane of a sliver is steep, so the level is held between those of
+    /// the corners.
     /// Units: x and y in pixels.
     float at(const fragment_polygon& of, float x, float y) const {
         return std::min(std::max(of.at(plane_, x, y), least_), most_) + bend_;
@@ -73,7 +75,7 @@ private:
     float bend_, least_, most_;
 };
 
-/// Planes of `Count` numbers of a polygon's corners.
+/// Makes planes of `Count` numbers at a polygon's corners.
 template <std::size_t Corners, std::size_t Count, class NumbersOf>
 attribute_planes<Count> planes_of(const fragment_polygon& polygon, const NumbersOf& numbers_of) {
     std::array<scan_point, Corners> places;
@@ -85,7 +87,7 @@ attribute_planes<Count> planes_of(const fragment_polygon& polygon, const Numbers
     return {places, numbers, polygon.area2};
 }
 
-/// The light of a band's polygons behind fog. Lives: borrows the polygons and the shading.
+/// Finds the light of a band's polygons, fog included. Lives: borrows the polygons and the shading.
 template <class Shader> class polygon_light {
 public:
     polygon_light(const Shader& shader, const l3d_shading& shading,
@@ -180,12 +182,12 @@ private:
     bool has_color_;
     int height_; ///< height of the picture
     std::span<const fragment_polygon> polygons_;
-    std::optional<face_painter> painter_; ///< if polygons have names in place of colours
+    std::optional<face_painter> painter_; ///< set if polygons have names in place of colours
     std::vector<level_surface> levels_;   ///< one per polygon, if the shader takes levels
 };
 
-/// The word of a pixel with some light from surfaces, and with `behind` in the part `empty` that
-/// shows no surface.
+/// Makes the word of a pixel: `light` from surfaces, and `behind` in the part `empty` that shows no
+/// surface.
 std::uint32_t word_before(light_sum light, std::uint32_t behind, float empty,
                           const linear_light& tables) {
     if (!(empty > 0))
@@ -208,8 +210,8 @@ void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   const l3d_pixels& target) {
     const linear_light& tables = linear_light_tables();
     constexpr float part = 1.0f / sample_places::count;
-    // Where sides meet, two samples may be in none of the polygons. All tilings that were tried
-    // have at most four such places in a pixel.
+    // Where sides meet, some samples may be in none of the polygons: two at each such place. In all
+    // tilings that were tried, a pixel has at most four such places.
     constexpr int closed_count = sample_places::count - 8;
     const auto pixels = band.pixels();
     const auto light_by = [&](auto shader) {

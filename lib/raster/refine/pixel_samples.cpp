@@ -18,8 +18,8 @@
 #define L3D_RASTER_PIXEL_SAMPLES_ONCE
 namespace l3d_detail {
 
-/// A fragment that none so far hides wholly, and the plane of its depth relative to the pixel's
-/// middle.
+/// A fragment that no other one has hidden wholly so far, and the plane of its depth relative to
+/// the pixel's middle.
 struct seen_so_far {
     std::uint64_t samples;
     std::uint32_t polygon;
@@ -37,10 +37,10 @@ namespace {
 constexpr hn::CappedTag<float, 4> side_floats;
 constexpr hn::RebindToSigned<decltype(side_floats)> side_ints;
 
-/// The four sides of a polygon, and the samples on their inner sides.
+/// The four sides of a polygon, which find the samples on their inner sides.
 ///
 /// A side is measured downwards, or to the right if it is level, whichever of its two polygons
-/// asks. One of them takes the samples on one side of it, and the other one all the rest. So each
+/// asks. One of them takes the samples on one side of it, and the other takes all the rest. So each
 /// sample is in exactly one of both.
 class polygon_sides {
 public:
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// The pixels of a tile that have samples in the polygon, and a few more.
+    /// Finds the pixels of a tile that have samples in the polygon, and a few more.
     HWY_ATTR HWY_INLINE std::uint64_t reached(std::int32_t left, std::int32_t top,
                                               const std::uint64_t* masks) {
         constexpr float middle = marked_pixels::side * l3d_subpixel_one / 2;
@@ -94,7 +94,7 @@ public:
                       1.0f / marked_pixels::side, in_tile_, masks);
     }
 
-    /// The samples of a pixel that lie in the polygon.
+    /// Finds the samples of a pixel that lie in the polygon.
     HWY_ATTR HWY_INLINE std::uint64_t samples(std::int32_t x, std::int32_t y,
                                               const std::uint64_t* masks) {
         constexpr float middle = l3d_subpixel_one / 2;
@@ -103,7 +103,7 @@ public:
     }
 
 private:
-    /// Floats of this size have no fraction, so adding this one rounds a number.
+    /// Floats of this size have no fraction, so adding this number rounds another one.
     static constexpr float whole = 1 << 23;
     static constexpr float last_step = half_planes::steps + 1;
 
@@ -113,7 +113,7 @@ private:
     static constexpr float tile_margin =
         0.5f / marked_pixels::side + 1.0f / half_planes::turns + 0.5f / half_planes::steps;
 
-    /// The samples in a square round (x, y) that lie on all inner sides.
+    /// Finds the samples in a square around (x, y) that lie on all inner sides.
     HWY_ATTR HWY_INLINE std::uint64_t inside(float x, float y, float per_side,
                                              const float* in_middle,
                                              const std::uint64_t* masks) const {
@@ -248,7 +248,7 @@ HWY_ATTR HWY_INLINE std::size_t divide(seen_so_far* seen, std::size_t count, see
     return left;
 }
 
-/// Finds the visible fragments of a pixel, beginning with the one that came last. No two of these
+/// Finds the visible fragments of a pixel, beginning with the one that came last. No two of them
 /// share a sample, so there are 64 at most.
 HWY_ATTR HWY_INLINE std::size_t see(std::span<const fragment_polygon> polygons,
                                     std::span<const fragment> fragments, const marked_pixel& pixel,

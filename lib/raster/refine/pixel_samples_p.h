@@ -16,20 +16,20 @@
 
 namespace l3d_detail {
 
-/// A linear function of the place in the picture: its value in a polygon's middle, and its change
-/// for one pixel to the right and one down.
+/// A linear function of the place in the picture. It has a value in a polygon's middle, and changes
+/// for each pixel to the right and each pixel down.
 struct fragment_plane {
     float middle, right, down;
 };
 
-/// A convex polygon that may reach a marked pixel. A triangle has its last corner twice.
+/// A convex polygon that may reach a marked pixel. In a triangle, the last corner comes twice.
 struct fragment_polygon {
     std::int32_t x[5], y[5]; ///< the corners, and the first one again; units: 1/256 pixel
     float inv_w[4];
     float light[3][4]; ///< the three numbers of l3d_micro_vertex::normal at each corner
     std::int32_t corners;
     /// The colour of its material, or in mode `error` that of its part. For a lit or inspected
-    /// surface, it is the index of its material.
+    /// surface, it is the index of the material.
     std::uint32_t color;
     std::int64_t area2; ///< twice its area, positive if corners turn to the right; not 0
 
@@ -59,8 +59,8 @@ struct fragment_polygon {
         depth = plane_of(inv_w);
     }
 
-    /// The plane of numbers at the corners. It passes through their mean, and is parallel to the
-    /// differences along both diagonals.
+    /// Makes a plane of numbers at the corners. It passes through their mean, and is parallel to
+    /// the differences along both diagonals.
     fragment_plane plane_of(const float (&numbers)[4]) const {
         const double per_area = l3d_subpixel_one / static_cast<double>(area2);
         const double a = per_area * (double{numbers[2]} - numbers[0]),
@@ -80,8 +80,8 @@ struct fragment_polygon {
     }
 };
 
-/// The samples that a polygon covers in a pixel. `before` is the index of the fragment that was
-/// added to the pixel before this one.
+/// A fragment: the samples that a polygon covers in a pixel. `before` is the index of the fragment
+/// that the pixel got before this one.
 struct fragment {
     std::uint64_t samples;
     std::uint32_t polygon, before;
@@ -109,8 +109,8 @@ struct seen_fragment {
 std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                           marked_pixels& pixels, fragment* to, std::uint32_t first);
 
-/// The pixel boxes of `count` consecutive quads in a row of a grid, clipped to a box. Up to 15 more
-/// elements are written, without a meaning.
+/// Finds the pixel boxes of `count` consecutive quads in a row of a grid, clipped to a box. Writes
+/// up to 15 more elements, which mean nothing.
 /// Expects: room for all of them.
 struct quad_boxes {
     std::vector<std::int32_t> left, top, right, bottom;
@@ -119,8 +119,8 @@ struct quad_boxes {
               const l3d_pixel_box& inside);
 };
 
-/// The fragments that are seen in a few pixels. No two fragments of a pixel share a sample.
-/// Fragments have the order in which they were added.
+/// The fragments that are seen in a few pixels, in the order in which they were added. No two
+/// fragments of a pixel share a sample.
 struct seen_in_pixels {
     static constexpr std::size_t most = 4; ///< pixels
 
@@ -128,8 +128,8 @@ struct seen_in_pixels {
     std::array<std::size_t, most + 1> begins; ///< the first fragment of each pixel, and the end
 };
 
-/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels: the one
-/// whose plane of depth is the nearest. Among equals, it is the one that was added first.
+/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels. It is the
+/// one whose plane of depth is the nearest; among equals, the one that was added first.
 void see_samples(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
                  std::span<const marked_pixel> pixels, seen_in_pixels& to);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The places in a pixel at which it is sampled.
+// sample_places: the places at which a pixel is sampled.
 #ifndef L3D_RASTER_REFINE_SAMPLE_PLACES_P_H
 #define L3D_RASTER_REFINE_SAMPLE_PLACES_P_H
 

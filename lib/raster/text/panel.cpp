@@ -58,7 +58,7 @@ template <class Rows> std::vector<panel_row> laid_out(const Rows& rows) {
     return result;
 }
 
-/// The panel's place in the free part of a picture, at a corner.
+/// The box of a panel of this size in a corner of the free part of a picture.
 l3d_pixel_box place_of(l3d_size size, const l3d_pixel_box& free, l3d_corner corner) {
     const bool is_right = corner == l3d_corner::top_right || corner == l3d_corner::bottom_right;
     const bool is_low = corner == l3d_corner::bottom_left || corner == l3d_corner::bottom_right;

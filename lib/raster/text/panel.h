@@ -45,7 +45,7 @@ struct L3D_PUBLIC l3d_panel_style {
     static int size_for(l3d_size picture, double text_scale = 1);
 };
 
-/// The corner of the picture in which a panel is drawn.
+/// The corner of a picture's free part in which a panel is drawn.
 enum class L3D_PUBLIC l3d_corner { top_left, top_right, bottom_left, bottom_right };
 
 /// A panel of text for help, status and legends. It fits every picture: long lines are wrapped,
@@ -94,9 +94,9 @@ public:
     l3d_pixel_box box_in(const l3d_pixel_box& free, l3d_corner corner,
                          const l3d_panel_style& style) const;
 
-    /// Draws the panel in a corner of a free part of the picture. It takes the panel's place off
-    /// that part, so the next panel is drawn above or below. Returns the covered box, which is
-    /// empty for a panel without lines or without any room.
+    /// Draws the panel in a corner of `free`, a part of the picture, and removes its place from
+    /// `free`. So the next panel is drawn above or below. Returns the covered box, which is empty
+    /// for a panel without lines or without any room.
     ///
     /// Lines for which even the smallest letters leave no room are replaced by three dots.
     l3d_pixel_box draw(l3d_rasterizer_2d& rasterizer, l3d_pixel_box& free, l3d_corner corner,

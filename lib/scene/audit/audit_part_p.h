@@ -59,8 +59,8 @@ private:
     std::array<double, 3> uv_by_v_{}, uv_by_u_{};
 };
 
-/// A rectangle of a patch that trims leave whole; or the part of a trimmed patch near its border,
-/// which has no rectangle.
+/// A part of a patch that is searched at once. It is a rectangle that trims leave whole, or the
+/// rest of a trimmed patch near its border. The rest has no rectangle of its own.
 struct patch_sheet {
     const bent_patch* patch;
     std::uint32_t index; ///< the number of the patch
@@ -82,16 +82,16 @@ struct audit_part {
     /// The part of a patch over a triangle. Lives: borrows the sheet and its patch.
     audit_part(const patch_sheet& of, const std::array<place, 3>& at_corners);
 
-    /// The place in the middle, on the surface itself.
+    /// The place of the part's middle, on the surface itself.
     vector middle() const;
-    /// Both parts after a cut from the opposite corner to the side from corner k to the next, which
-    /// it meets at `share`.
+    /// Cuts the part in two. The cut runs from the opposite corner to the side from corner k to the
+    /// next, and meets it at `share`.
     std::array<audit_part, 2> cut(std::size_t k, double share) const;
     /// The side that contributes most to `off`. Expects: a part of a patch.
     std::size_t bent_side() const;
     /// The longest side, in space.
     std::size_t longest_side() const;
-    /// The length of that side.
+    /// The length of the longest side, in space.
     double size() const;
 
     flat_triangle flat;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bounds a unit normal's derivatives over parts of a patch, and bends along the normal.
+// Bounds the derivatives of a unit normal over parts of a patch, and bends along the normal.
 #if defined(L3D_SCENE_BENDS_BEND_NORMALS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_SCENE_BENDS_BEND_NORMALS_INL_H
 #undef L3D_SCENE_BENDS_BEND_NORMALS_INL_H
@@ -20,8 +20,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Taylor coefficients about the middles of parts, for parameters from -1 to 1 across them: [power
-/// of u][power of v].
+/// The Taylor coefficients of a vector polynomial about the middles of parts: [power of u][power of
+/// v]. Parameters run from -1 to 1 across a part.
 template <std::size_t Degree> struct taylor_net { vector at[Degree + 1][Degree + 1]; };
 
 constexpr double factorial(std::size_t n) {
@@ -29,47 +29,48 @@ constexpr double factorial(std::size_t n) {
 }
 
 /// The factor that turns a Taylor coefficient into a derivative by parameters from 0 to 1 across
-/// the part, which run half as fast.
+/// the part. These run half as fast.
 constexpr double as_derivative(std::size_t k, std::size_t l) {
     return factorial(k) * factorial(l) * static_cast<double>(std::size_t{1} << (k + l));
 }
 
-/// The largest of |a + b s + c t| for s and t from -1 to 1. It is in a corner, since the function
-/// is convex.
+/// Finds the largest of |a + b s + c t| for s and t from -1 to 1. It is in a corner, since the
+/// function is convex.
 HWY_ATTR HWY_INLINE number largest_size(const vector& a, const vector& b, const vector& c) {
     const vector low = a - b, high = a + b;
     const number one = largest(squared(low - c), squared(low + c));
     return root(largest(one, largest(squared(high - c), squared(high + c))));
 }
 
-/// The error that rounding may add to normals, relative to the length of the normal in the middle:
-/// see docs/NUMERICS.md.
+/// Bounds the error that rounding adds to normals, relative to the length of the normal in the
+/// middle (docs/NUMERICS.md, section 11).
 constexpr double normal_noise = 0x1p-39;
 
-/// Normals shorter than this, where the longest coefficient is 1, are mostly noise.
+/// A normal shorter than this is mostly noise. The longest coefficient is 1.
 constexpr double no_length = 0x1p-32;
 
-/// The error that rounding may add to a second or third derivative of points, relative to the
+/// Bounds the error that rounding adds to a second or third derivative of points, relative to the
 /// largest of the points.
 constexpr double point_noise = 0x1p-44;
 
-/// A factor that exceeds the relative rounding error of the sums of positive numbers below.
+/// A factor that makes up for rounding in the sums of positive numbers below.
 constexpr double relative = 1 + 0x1p-40;
 
-// Functions with series of their own, 3 KB each with the longest lanes, are not inlined: so the
-// stack holds only the series in use.
+// Functions that have series of their own are not inlined, so the stack holds only the series in
+// use. A series takes 3 KB with the longest lanes.
 
 /// The unit normals N of parts: Taylor coefficients about the middle up to series_order, and bounds
 /// of derivatives over all of the part.
 ///
 /// M is the polynomial of normals, and m is M over its length in the middle. Let p be the series of
-/// (m . m)^(-1/2), cut off. Then p m is as good a normal as m, and has the coefficients of N up to
-/// series_order. (p m) . (p m) is 1 - w, where the first coefficients of w are 0. So
-/// N = p m (1 - w)^(-1/2).
+/// (m . m)^(-1/2), cut off. Then p m points like m, and has the coefficients of N up to
+/// series_order. (p m) . (p m) is 1 - w, where the first coefficients of w are 0. So N = p m (1 -
+/// w)^(-1/2).
 ///
 /// The same expression is taken with absolute values of all coefficients. Its coefficients bound
-/// the absolute values of those of N, and lose signs only beyond the order. The value and the
-/// derivatives in the corner (1, 1), where all coefficients add up, are bounds everywhere.
+/// the absolute values of those of N. Signs are lost only beyond the order. A series of absolute
+/// values is largest in the corner (1, 1), where all coefficients add up, and so are its
+/// derivatives. These values are bounds everywhere.
 /// Source: Cauchy's method of majorants.
 class part_normals {
 public:
@@ -79,11 +80,11 @@ public:
 
     HWY_ATTR HWY_INLINE number size(std::size_t k, std::size_t l) const { return sizes_[k][l]; }
 
-    /// The value of the series of sizes in the corner.
+    /// The value of the series of absolute values in the corner.
     HWY_ATTR HWY_INLINE number sum_of_sizes() const { return most_[0][0]; }
     HWY_ATTR HWY_INLINE number noise() const { return noise_; }
 
-    /// Whether the bounds hold; false where there is no normal.
+    /// Whether the bounds hold. They do not where there is no normal.
     HWY_ATTR HWY_INLINE auto known() const { return known_; }
 
     HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
@@ -91,7 +92,7 @@ public:
     }
 
     /// The bound of a derivative. Its terms of order 0 and 1 are exact; the others are sums of
-    /// sizes.
+    /// absolute values.
     HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
         const number u = same(static_cast<double>(k + 1)), v = same(static_cast<double>(l + 1));
         const number exact = largest_size(n_[k][l], n_[k + 1][l] * u, n_[k][l + 1] * v);
@@ -136,9 +137,9 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
     bound_products(m, p);
 }
 
-/// The product of two series of sizes at the corner: `all` is its value and its derivatives there.
-/// `beyond` is their part from coefficients beyond the order: `all` less the part of the first
-/// coefficients.
+/// The product of two series of absolute values in the corner. `all` has its value and its
+/// derivatives. `beyond` has their part from coefficients beyond the order: `all` less the part of
+/// the first coefficients.
 struct product_in_corner {
     series all, beyond;
 
@@ -160,10 +161,11 @@ struct product_in_corner {
     }
 };
 
-/// Finds the bounds `most_`. Let a be the normal in the middle, and p m = f + z a + x. f is exact;
-/// z and x are the rest beyond the order, along a and across it. Divided by 1 + z, which changes no
-/// direction, it is f + (x - z (f - a)) / (1 + z). So for a plane nothing is left beyond the order,
-/// and elsewhere less.
+/// Finds the bounds `most_`.
+///
+/// Let a be the normal in the middle, and p m = f + z a + x. f is exact; z and x are the rest
+/// beyond the order, along a and across it. Divided by 1 + z, which changes no direction, it is f +
+/// (x - z (f - a)) / (1 + z). So for a plane nothing is left beyond the order, and elsewhere less.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
     const vector a = m.at[0][0];
     number sizes_along[6][6], sizes_across[6][6];
@@ -215,10 +217,11 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
     multiply(pm, g, wanted_order, most_);
 }
 
-/// Bounds of |N . S_b| over parts, for the derivatives S_b of second and third order of points.
+/// Bounds |N . S_b| over parts, for the derivatives S_b of second and third order of points.
 ///
-/// The product is a series whose coefficients are exact except for those of N beyond its order. So
-/// signs are lost only when its terms are added up. Terms of even powers keep their signs.
+/// The product is a series. Its coefficients are exact, except for those that come from N beyond
+/// its order. So signs are lost only when its terms are added up. Terms of even powers keep their
+/// signs.
 class part_points {
 public:
     HWY_ATTR part_points(const taylor_net<3>& s, const part_normals& n, double size)
@@ -270,7 +273,7 @@ public:
         return magnitude(dot(n_.at(0, 0), s_.at[k][l])) * same(as_derivative(k, l));
     }
 
-    /// The bound of |S_uuvv|. S_uuvv is bilinear, so the largest is in a corner.
+    /// The bound of |S_uuvv|. S_uuvv is bilinear, so it is longest in a corner.
     HWY_ATTR HWY_INLINE number bound_uuvv() const {
         const vector a = s_.at[2][2] * same(4), u = s_.at[3][2] * same(12);
         const vector v = s_.at[2][3] * same(12), uv = s_.at[3][3] * same(36);
@@ -280,14 +283,14 @@ public:
     }
 
 private:
-    /// The factor by which k derivatives by a parameter multiply its power k + rest.
+    /// The factor that k derivatives by a parameter bring to its power k + rest.
     static constexpr double taken_out(std::size_t k, std::size_t rest) {
         return factorial(k + rest) / factorial(rest);
     }
 
-    /// The order below which products with coefficients of N keep their signs. With order 4, the
-    /// teapot has 0.2 % more quads; with 7, it has 1 % fewer, and bounds take a third more
-    /// instructions.
+    /// The order below which products with coefficients of N keep their signs, and the room for
+    /// such a product. With order 4, the teapot has 0.2 % more quads. With 7, it has 1 % fewer, and
+    /// bounds take a third more instructions.
     static constexpr std::size_t exact_order = 5, room = exact_order + 3;
 
     const taylor_net<3>& s_;

@@ -27,7 +27,7 @@ constexpr std::size_t series_order = 7;
 /// Derivatives are bounded up to this order, inclusive.
 constexpr std::size_t wanted_order = 3;
 
-/// The coefficients of a series: [power of u][power of v], the sum of both powers less than
+/// The coefficients of a series: [power of u][power of v]. The sum of both powers is less than
 /// series_order.
 using series = number[series_order][series_order];
 
@@ -50,9 +50,9 @@ HWY_ATTR HWY_INLINE void multiply(const series& a, const series& b, std::size_t 
     });
 }
 
-/// Computes g = 1 / sqrt(x), up to the order `most`. Let E be the sum of the derivatives by both
-/// variables, each times its variable: it multiplies a coefficient by its order. Then
-/// x E g = - g E x / 2 gives one coefficient of g after another.
+/// Computes g = 1 / sqrt(x), up to the order `most`. Let E multiply each coefficient by its order:
+/// it is the sum of the derivatives by both variables, each times its variable. Then x E g = - g E
+/// x / 2 gives one coefficient of g after another.
 HWY_ATTR HWY_INLINE void inverse_root(const series& x, std::size_t most, series& g) {
     const number inverse = same(1) / x[0][0];
     for_powers(most, [&](std::size_t k, std::size_t l) HWY_ATTR {
@@ -83,7 +83,7 @@ HWY_ATTR HWY_INLINE void invert(const series& x, std::size_t most, series& g) {
 }
 
 /// Moves the centre of a series from (0, 0) to (1, 1), up to wanted_order, by Horner's scheme.
-/// `columns_of_row` gives the shape of its net.
+/// `columns_of_row` gives the number of coefficients in each row.
 template <std::size_t N, class Size>
 HWY_ATTR HWY_INLINE void move_to_corner(number (&a)[N][N], const Size& columns_of_row) {
     for (std::size_t l = 0; l < N; ++l)

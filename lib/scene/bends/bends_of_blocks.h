@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// bends_of_blocks: bounds over parts of a patch, which are quartered where bounds are loose.
+// bends_of_blocks: bounds the bends of a patch part by part, and quarters parts whose bounds are
+// loose.
 #ifndef L3D_SCENE_BENDS_BENDS_OF_BLOCKS_H
 #define L3D_SCENE_BENDS_BENDS_OF_BLOCKS_H
 
@@ -11,26 +12,26 @@
 
 namespace l3d_detail {
 
-/// The bend numbers of a patch's blocks: each is the largest of the bounds of the block's parts.
+/// The bend numbers of a patch's blocks. Each is the largest of the bounds of the block's parts.
 ///
-/// At first a block has four parts. The number in a part's middle is at most the block's true
-/// number, which limits how loose a bound can be. The loosest parts are quartered, as long as there
+/// At first a block has four parts. The number in the middle of a part is at most the block's true
+/// number. So it tells how loose a bound can be. The loosest parts are quartered, as long as there
 /// is room.
 class bends_of_blocks {
 public:
     bends_of_blocks(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
-    /// A number's bound in a block, by the parameters of the block.
+    /// The bound of a number in a block, by the parameters of the block.
     double most(std::size_t number, std::size_t block) const { return most_[number][block]; }
 
 private:
-    /// The most groups: the first rows of parts, and five of quarters, as 60 us a patch allow.
+    /// The most groups of parts: the first rows, and five of quarters. That takes 60 us a patch.
     static constexpr std::size_t groups = bend_parts + 5;
     static constexpr std::size_t blocks = l3d_surface_bends::blocks;
 
     struct part {
         std::size_t group, lane, block;
-        int halvings; ///< halvings of the block's sides
+        int halvings; ///< how often the block's sides were halved
         double looseness;
     };
 

@@ -14,17 +14,19 @@ namespace {
 
 constexpr float no_bound = std::numeric_limits<float>::infinity();
 
-/// A float that is not below x; infinite for a NaN. Rounding to nearest changes a float by 2^-24 of
-/// it, or by 2^-150 if it is smaller than the smallest normal one, 2^-126.
+/// Rounds x up to a float, or to infinity for a NaN. Rounding to nearest changes a float by 2^-24
+/// of it, or by 2^-150 if it is smaller than the smallest normal one, 2^-126.
 float rounded_up(double x) {
     constexpr double most = 0x1p127;
     return x < most ? static_cast<float>(x * (1 + 0x1p-23)) + (x > 0 ? 0x1p-126F : 0.0F) : no_bound;
 }
 
-/// Bounds of the largest eigenvalue of M^T M from above and of the least from below. M is the upper
-/// left three by three of a map. After Jacobi's rotations, Gershgorin's circles bound eigenvalues:
-/// each is within the sum of its row's other entries of a diagonal entry. Three rounds leave
-/// rounding of some 100 * 2^-53, relative to the largest entry; the slack is 2^-43 of that.
+/// Bounds the largest eigenvalue of M^T M from above and the least from below. M is the upper left
+/// three by three of a map.
+///
+/// After Jacobi's rotations, Gershgorin's circles bound eigenvalues: each is within the sum of its
+/// row's other entries of a diagonal entry. Three rounds leave rounding of some 100 * 2^-53,
+/// relative to the largest entry. The slack is 2^-43 of that entry.
 struct squared_scales {
     double least, most;
 
@@ -68,15 +70,14 @@ private:
     }
 };
 
-/// Bounds of normals N' = B N / |B N| from those of N. B holds the cofactors of a map, and |B d| is
-/// between b |d| and kappa b |d|.
+/// Bounds the derivatives of normals N' = B N / |B N| by those of N. B holds the cofactors of a
+/// map, and |B d| is between b |d| and kappa b |d|.
 ///
 /// Let B^T B = c (1 + F) with c in the middle of its eigenvalues, so |F| <= f = (kappa^2 - 1) /
-/// (kappa^2 + 1), and r = |B N|, so c / r^2 <= (kappa^2 + 1) / 2. As N . N = 1, r^2 / c = 1 + N . F
-/// N, and half of its derivatives over r^2 are at most g = c f / r^2 <= (kappa^2 - 1) / 2 times
-/// sums of products of N's. Derivatives of r r = r^2 bound those of r over r. Derivatives of r N' =
-/// B N bound those of N', as |B N_u| / r is at most kappa |N_u|. A similarity has kappa = 1 and g =
-/// 0.
+/// (kappa^2 + 1). Let r = |B N|, so c / r^2 <= (kappa^2 + 1) / 2. As N . N = 1, r^2 / c = 1 + N . F
+/// N. So half of its derivatives over r^2 are at most g = c f / r^2 <= (kappa^2 - 1) / 2 times sums
+/// of products of N's. Derivatives of r r = r^2 bound those of r over r. Derivatives of r N' = B N
+/// bound those of N', as |B N_u| / r is at most kappa |N_u|. A similarity has kappa = 1 and g = 0.
 class turned_normals {
 public:
     turned_normals(double kappa, double g) : kappa_(kappa), g_(g) {}
@@ -147,14 +148,15 @@ l3d_surface_bends::l3d_surface_bends(const l3d_bezier_patch<double, 3>& patch,
             of[i] = rounded_up(bounds->most(n, i));
             most = std::max(most, of[i]);
         }
-        // The patch's parameters run a quarter as far over a block; a power of two scales exactly.
+        // Over a block, the patch's parameters run a quarter as far. A power of two scales exactly.
         of_whole_.*bend_members<float>[n] = std::ldexp(most, 2 * bend_orders[n]);
     }
     set_steps();
 }
 
-/// Bends: N' . A d = N . d / |A^-T N| <= s N . d, where s is the largest factor by which A
-/// lengthens a vector. The cofactors' largest factor over their least is that of A.
+/// Bounds the patch under a map A. For bends, N' . A d = N . d / |A^-T N| <= s N . d, where s is
+/// the largest factor by which A lengthens a vector. The quotient of the largest and the least such
+/// factor is the same for A and for its cofactors.
 l3d_surface_bends l3d_surface_bends::under(const l3d_matrix<double>& placement) const {
     const squared_scales scales(placement);
     const double scale = std::sqrt(scales.most) * (1 + 0x1p-40);

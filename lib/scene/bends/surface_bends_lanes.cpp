@@ -18,7 +18,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Taylor coefficients by u of a net's rows, about the middles of the columns of parts.
+/// The Taylor coefficients by u of a net's rows, about the middles of the columns of parts.
 template <std::size_t Degree> class part_columns {
 public:
     /// Shape: net[component][row][column].
@@ -57,8 +57,8 @@ private:
     alignas(64) double at_[Degree + 1][3][Degree + 1][part_lanes];
 };
 
-/// Turns Taylor coefficients of parts into those about the middles of the quarters that lanes stand
-/// for. Horner's scheme shifts by half of the old parameter. The new parameter runs half as far.
+/// Turns Taylor coefficients of parts into those of their quarters, a quarter a lane. Horner's
+/// scheme moves the middle by half of the old parameter. The new parameter runs half as far.
 template <std::size_t Degree>
 HWY_ATTR void quarter_net(double (&net)[Degree + 1][Degree + 1][3][part_lanes]) {
     alignas(64) static constexpr double side_u[part_lanes]{-.5, .5, -.5, .5, -.5, .5, -.5, .5};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The parts of l3d_surface_bends: bounds of the 8 x 8 parts of a patch, in lanes.
+// The parts of a patch for l3d_surface_bends: bounds of its 8 x 8 parts, in lanes.
 #ifndef L3D_SCENE_BENDS_SURFACE_BENDS_P_H
 #define L3D_SCENE_BENDS_SURFACE_BENDS_P_H
 
@@ -13,8 +13,8 @@ namespace l3d_detail {
 /// The number of parts along each side of a patch, two for each block.
 inline constexpr std::size_t bend_parts = 8;
 
-/// The members of l3d_bend_numbers in their order. bend_orders has the order of the derivative that
-/// each one bounds.
+/// Names the members of l3d_bend_numbers in their order. bend_orders has the order of the
+/// derivative that each one bounds.
 enum bend_number : std::size_t {
     bend_uu,
     bend_uv,
@@ -94,9 +94,9 @@ struct part_group {
     alignas(64) double points[4][4][3][part_lanes];
 };
 
-/// Bounds of derivatives over the parts of a group, and values in their middles: [number][lane].
-/// Parameters are from 0 to 1 across a part. Without a bound, `most` is infinite and `middle` means
-/// nothing.
+/// Bounds of derivatives over the parts of a group, and their values in the middles:
+/// [number][lane]. Parameters are from 0 to 1 across a part. Without a bound, `most` is infinite
+/// and `middle` means nothing.
 struct group_bounds {
     alignas(64) double most[bend_numbers][part_lanes];
     alignas(64) double middle[bend_numbers][part_lanes];

@@ -38,8 +38,8 @@ std::optional<surface_vertex> on_contour(const image_piece& piece, const surface
 struct contour_shape {
     /// The unit direction in the picture to the side that the fold leaves empty.
     double out_x = 0, out_y = 0;
-    /// The contour's turn against the line of sight. Its sign changes at a cusp of the contour's
-    /// picture.
+    /// How fast the facing changes along the line of sight. Its sign changes at a cusp of the
+    /// contour's picture.
     double turn = 0;
 };
 contour_shape shape_of_contour(const image_piece& piece, const surface_vertex& there);

@@ -41,8 +41,8 @@ void for_each_cell(const ranged_part& of, const Cut& is_cut, const Hidden& is_hi
         for_each_cell(of.half(in_u, second), is_cut, is_hidden, visit);
 }
 
-/// Where there are trims, their polygons have three quarters of the error of places. With the
-/// remaining quarter, cells need hardly more halvings.
+/// The cells' share of the error of places, where there are trims. The polygons of trims have the
+/// other three quarters. Cells need hardly more halvings for that.
 constexpr double share_of_cells = 0.25;
 
 /// A cell of a piece.
@@ -53,8 +53,8 @@ struct cell {
     double error, allowed; ///< errors of places
 };
 
-/// Upper bounds of the length of a unit of the piece's u and v in its cells: 3 differences of
-/// control points for each of the cells' own units.
+/// Bounds the length in space of a unit of the piece's u and of its v, from its cells. In a cell's
+/// own units, 3 differences of control points are a bound.
 l3d_trim_place lengths_of(std::span<const cell> cells) {
     l3d_trim_place result{0, 0};
     for (const cell& one : cells)
@@ -68,9 +68,9 @@ l3d_trim_place lengths_of(std::span<const cell> cells) {
     return result;
 }
 
-/// The error of places that is allowed in a part of a piece, and in `beside` around it in space;
-/// infinite if the region shows nothing of it. `lengths` are those of `cells`, the ones that may be
-/// seen.
+/// Finds the error of places that is allowed in a part of a piece, and at the distance `beside`
+/// around it in space. It is infinite if the region shows nothing of that. `lengths` are those of
+/// `cells`, the cells that may be seen.
 double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
                   const l3d_trim_place& lengths, const l3d_cell_wish& wanted, double beside) {
     double result = std::numeric_limits<double>::infinity();
@@ -96,8 +96,8 @@ double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
     return result;
 }
 
-/// Calls visit(cell, region) for each cell of a part of a piece that trims do not remove wholly.
-/// The region is empty where trims remove nothing.
+/// Calls visit(cell, region) for each cell of a part of a piece, except those that trims remove
+/// wholly. The region is empty where trims remove nothing.
 template <class Visit>
 void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& part,
                       const l3d_trim_region& region, const Visit& visit) {
@@ -124,7 +124,7 @@ void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& pa
     for_each_trimmed(cells.subspan(count), part.half(along_u, true), high, visit);
 }
 
-/// The approximate length of a unit of a piece's u and v, by its control net.
+/// About how long a unit of a piece's u and of its v is in space, by its control net.
 l3d_trim_place rough_lengths_of(const l3d_patch_points& piece) {
     l3d_trim_place result{0, 0};
     const auto width = static_cast<std::size_t>(piece.degree_u) + 1;
@@ -142,13 +142,13 @@ l3d_trim_place rough_lengths_of(const l3d_patch_points& piece) {
     return result;
 }
 
-/// How well a cell keeps the allowed errors, and how it should be cut.
+/// How large a cell's error is, and how the cell should be cut.
 struct verdict {
     double error = 0;
     bool cut_u = false, cut_v = false;
 };
 
-/// The part of a piece, by the halvings of for_each_cell in their order.
+/// Makes the part of a piece by the halvings of for_each_cell, in their order.
 l3d_rational_piece part_of(const l3d_patch_points& piece, const l3d_parameter_range& at) {
     ranged_part result{l3d_rational_piece(piece)};
     for (const bool along_u : {true, false}) {
@@ -166,10 +166,10 @@ l3d_rational_piece part_of(const l3d_patch_points& piece, const l3d_parameter_ra
 /// Judges a cell of a piece. If its error is too large, its halves decide the direction of the cut.
 verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_parameter_range& at,
                double allowed, double allowed_normal, l3d_found_cells& found) {
-    // Where normals have no bound, as at a cusp, cuts may never give one. So lines are cut for one
-    // only if 16 by 16 parts of the cell all have one.
+    // Where normals have no bound, as at a cusp, cuts may never give one. So lines are cut for a
+    // bound only if all 16 by 16 parts of the cell have one.
     constexpr int most_without_bound = 4;
-    // A gain of less than a tenth shows rounding or a cusp.
+    // If a cut gains less than a tenth, rounding or a cusp is the reason.
     constexpr double gain = 0.9;
     const auto error_of = [&](const l3d_parameter_range& of, bool of_places) {
         const auto make = [&] { return part_of(piece, of); };
@@ -181,7 +181,8 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
     const double now = error_of(at, is_off);
     if (!is_off && !(now > allowed_normal))
         return result;
-    // Stops at the first part that gains too little.
+    // The error that is left after m halvings along u and n along v. It stops at the first part
+    // that gains too little.
     const auto left_by = [&](int m, int n) {
         const double u = std::ldexp(at.u1 - at.u0, -m), v = std::ldexp(at.v1 - at.v0, -n);
         const auto part = [&](int i) -> l3d_parameter_range {
@@ -204,14 +205,14 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
     return result;
 }
 
-/// The control points of a boundary, as numbers, in the direction that is first in order.
+/// The control points of a boundary as numbers, in the direction in which they sort first.
 struct boundary {
     std::vector<double> numbers;
     bool is_turned = false;    ///< whether this direction is against that of the parameter
     bool is_symmetric = false; ///< whether both directions are alike
 };
 
-/// The four boundaries. A boundary that is a point is left out.
+/// Finds the four boundaries of a piece, and leaves out those that are points.
 std::array<std::optional<boundary>, 4> boundaries_of(const l3d_patch_points& piece) {
     const auto m = static_cast<std::size_t>(piece.degree_u);
     const auto n = static_cast<std::size_t>(piece.degree_v);
@@ -263,7 +264,8 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
     unite_common_boundaries();
 }
 
-/// The largest error of the edges that a region follows; negative if it follows none.
+/// The largest distance of the edges that a region follows from their faces. It is negative if the
+/// region follows none.
 double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     double result = -1;
     for (const l3d_trim_polygon& polygon : region.polygons)
@@ -273,7 +275,8 @@ double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     return result;
 }
 
-/// A line that meets itself in reverse, as on a Moebius band, is cut symmetrically.
+/// Notes which lines of pieces have to be cut alike. A line that meets itself in reverse, as on a
+/// Moebius band, is cut symmetrically.
 void l3d_curved_pieces::unite_common_boundaries() {
     std::map<std::vector<double>, l3d_detail::directed_sets::place> lines;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -344,7 +347,7 @@ void l3d_curved_pieces::halve(cuts& by, std::size_t index, double place) const {
         add(1 - place);
 }
 
-/// Cells with too large an error are halved until there is none. A halving cuts all cells along its
+/// Halves cells with too large an error until there is none. A halving cuts all cells along its
 /// line, and those of all pieces that share the line.
 l3d_curved_pieces::cuts l3d_curved_pieces::cuts_for(const l3d_cell_wish& wanted, const cuts& from,
                                                     l3d_found_cells& found) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_curved_pieces: rational patches of any degree, cut into cells that bicubic patches
+// l3d_curved_pieces: cuts rational patches of any degree into cells that bicubic patches
 // approximate.
 #ifndef L3D_SCENE_CURVED_PIECES_H
 #define L3D_SCENE_CURVED_PIECES_H
@@ -23,7 +23,7 @@
 #include <unordered_map>
 #include <vector>
 
-/// The errors that cells of curved pieces may have.
+/// The errors that a picture allows to cells of curved pieces.
 struct l3d_cell_wish {
     double places = 0; ///< error of places that is always allowed, in the pieces' unit
     int normals = 0;   ///< the level of normals
@@ -33,13 +33,15 @@ struct l3d_cell_wish {
 
     friend bool operator==(const l3d_cell_wish&, const l3d_cell_wish&) = default;
 
-    /// The error of places that is allowed in the hull of these points (see l3d_seen_region).
+    /// The error of places that is allowed in the hull of these points (see l3d_seen_region), in
+    /// the pieces' unit.
     double allowed(std::span<const l3d_vector<double, 4>> points) const;
-    /// The error of unit normals that is allowed in a cell with this range in its piece.
+    /// The error of unit normals that is allowed in a cell with this range in its piece. It is
+    /// infinite for cells that have been halved often enough.
     double normals_of(const l3d_parameter_range& cell) const;
 };
 
-/// The place of a cell: its piece, and its range there.
+/// The key of a cell: its piece, and its range there.
 inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter_range& at) {
     return {static_cast<double>(piece), at.u0, at.u1, at.v0, at.v1};
 }
@@ -48,10 +50,10 @@ inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter
 template <class T>
 using l3d_by_cell = std::unordered_map<std::array<double, 5>, T, l3d_detail::number_hash>;
 
-/// The bicubic patches and normals that approximate cells, kept from one search to the next.
+/// Keeps the bicubic patches and normals that approximate cells, from one search to the next.
 class l3d_found_cells {
 public:
-    /// The patch for a part of a piece; make() gives the part if the patch is not known yet.
+    /// Returns the patch for a part of a piece. If it is not known yet, make() gives the part.
     /// Expects: parts are the same bit for bit whenever they are made.
     /// Lives:   until forget_if_many().
     template <class Make>
@@ -59,7 +61,7 @@ public:
                                            const Make& make) {
         return of(patches_, piece, at, make);
     }
-    /// The part's normals, which take longer to compute. Expects, Lives: as patch().
+    /// Returns the normals of a part, which take longer to compute. Expects, Lives: as patch().
     template <class Make>
     const l3d_normal_approximation& normals(std::size_t piece, const l3d_parameter_range& at,
                                             const Make& make) {
@@ -112,27 +114,29 @@ public:
     const vector& least() const { return least_; }
     const vector& most() const { return most_; }
 
-    /// Levels of places and of normals are from 0 to this. The finest level of places asks for
-    /// errors of 2^-42 of the box's diagonal; a finer one would be mostly rounding of doubles.
+    /// The finest level. Levels of places and of normals run from 0 to this. The finest level of
+    /// places asks for errors of 2^-42 of the box's diagonal. A finer one would be mostly rounding
+    /// of doubles.
     static constexpr int most_level = 32;
-    /// The bound of errors of places that a level asks for. Cells keep it if there are no more than
-    /// most_cells. Two levels more ask for a quarter of the bound, which takes twice the cells.
+    /// The error of places for which a level asks. Cells keep it unless they would be more than
+    /// most_cells. Two levels more ask for a quarter of the error, which takes twice the cells.
     double place_target(int level) const;
-    /// The bound of errors of unit normals that a level asks for: at level 0, 0.45 levels of
-    /// Lambert's 229.5. Two levels more ask for an eighth of it. Cells are halved for it at most
+    /// The error of unit normals for which a level asks. At level 0 that is 0.45 levels of
+    /// Lambert's 229.5, and two levels more ask for an eighth. Cells are halved for it at most
     /// most_halvings_for_normals + `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
-    /// Errors fall by 64 where cells are halved both ways. From 2, the largest possible error, two
-    /// such steps lead to 2^-11, below the target of level 0. Two more steps are for pieces that
-    /// bend so much that errors fall less at first; each step is two halvings.
+    /// The most halvings that level 0 spends on a normal's error. Errors fall by 64 where cells are
+    /// halved both ways. From 2, the largest possible error, two such steps lead to 2^-11, below
+    /// the target of level 0. Two more steps are for pieces that bend so much that errors fall less
+    /// at first. Each step is two halvings.
     static constexpr int most_halvings_for_normals = 2 * (2 + 2);
-    /// Cells that a model may have at any level: some 300 MB.
+    /// The most cells that a model may have at any level: some 300 MB.
     static constexpr double most_cells = 0x1p17;
 
     /// The cells of a level.
     struct cells {
         std::vector<patch> patches;
-        std::vector<l3d_normal_net> normals;     ///< the piece's value, for each patch
+        std::vector<l3d_normal_net> normals;     ///< normals of the piece itself, for each patch
         std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
         std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
         /// The remaining region of each trimmed patch, in coordinates from 0 to 1; empty where all
@@ -147,20 +151,20 @@ public:
     };
     /// Whether any piece has trims.
     bool has_trims() const { return has_trims_; }
-    /// The approximate number of corners of trims' polygons at a level, without the ends of curves.
+    /// About how many corners the polygons of trims have at a level, without the ends of curves.
     double trim_corners(int level) const { return trim_bends_ / std::sqrt(place_target(level)); }
-    /// The halvings of all pieces.
+    /// The places at which all pieces are halved.
     struct cuts {
         /// For each line that l3d_curved_pieces keeps, the parameters of its cuts, in order.
         std::vector<std::vector<double>> of_lines;
         double cells = 0; ///< the number of cells
         double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
     };
-    /// Finds the cuts that the wanted cells need. The search begins with the cuts of a coarser
-    /// level.
+    /// Finds the cuts that the wanted cells need. The search begins with the cuts `from` of a
+    /// coarser level.
     /// Expects: a level of normals from 0 to most_level; `from` is empty, or was made here.
     cuts cuts_for(const l3d_cell_wish& wanted, const cuts& from, l3d_found_cells& found) const;
-    /// Makes the cells of these cuts, without those that are hidden.
+    /// Makes the cells of these cuts, except for those that are hidden.
     cells cut(const cuts& by, const l3d_cell_wish& wanted, l3d_found_cells& found) const;
 
 private:

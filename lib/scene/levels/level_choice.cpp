@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Levels of curved models, chosen by the view alone (NUMERICS, section 25).
+// Chooses the levels of curved models by the view alone (NUMERICS, section 25).
 #include "scene/levels/level_choice.h"
 
 #include "geom/transform.h"
@@ -15,7 +15,7 @@ namespace {
 
 using vector = l3d_patch_scene::vector;
 
-/// Frobenius' norm of the upper left three by three: no vector grows by a larger factor.
+/// Frobenius' norm of the upper left three by three. It bounds the factor by which a vector grows.
 double norm_of(const l3d_matrix<double>& m) {
     double squares = 0;
     for (int row = 0; row < 3; ++row)
@@ -24,16 +24,17 @@ double norm_of(const l3d_matrix<double>& m) {
     return std::sqrt(squares);
 }
 
-/// No level of more patches is made: the picture has patches of its own instead. So many patches
-/// take a quarter of a second to make, once.
+/// The most patches of a level. Where more would be needed, the picture has cells of its own
+/// instead. So many patches take a quarter of a second to make, once.
 constexpr double most_of_all = 8192;
 
-/// The factors by which an instance's placement multiplies errors, and the place of the instance.
+/// How an instance multiplies errors, and where it stands in the picture.
 struct seen_instance {
     double stretch = 1; ///< factor of lengths
     double turn = 1;    ///< factor of the distance of unit normals
     double least_w = 0, most_w = 0;
-    double focal = 0; ///< at the farthest corner of the window: most pixels of a unit
+    double focal = 0; ///< pixels for a unit at depth 1, at the farthest corner of the window, where
+                      ///< they are most
     double near = 0;
 
     seen_instance(const l3d_patch_instance& instance, const l3d_level_view& view) {
@@ -70,10 +71,10 @@ struct seen_instance {
         near = view.camera.near_z;
     }
 
-    /// The errors that the picture allows a model's cells; nothing if there is no region.
+    /// The errors that the picture allows to a model's cells. It is nothing if there is no region.
     ///
     /// At depth w >= near, an error e of places is e stretch focal / w pixels. A nearer place is
-    /// drawn only by error, so an error for which pixels() is places_px at w = near is always
+    /// drawn only by error. So an error for which pixels() is places_px at w = near is always
     /// allowed.
     std::optional<l3d_cell_wish> wish(const l3d_patch_instance& instance,
                                       const l3d_level_view& view, int normals) const {
@@ -131,7 +132,8 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
         };
         const int normals = first(
             [&](int level) { return seen.turn * model.normal_target(level) <= view.normals; });
-        // This compares the errors that patches have, which are often less than the level asks.
+        // This compares the errors that patches really have. They are often less than the level
+        // asks for.
         const auto is_well = [&](double error) { return seen.pixels(error) <= view.places_px; };
         std::optional<l3d_cell_wish> wanted;
         const int places = first([&](int level) {
@@ -152,7 +154,7 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
     return result;
 }
 
-/// The model stays the same for a program: only its level changes.
+/// Gives an instance another level of its model. For a program, the model stays the same.
 void l3d_patch_scene::take_level(std::size_t index, const l3d_patch_model& finer) {
     l3d_patch_instance& instance = instances_[index];
     if (finer.identity() == instance.model().identity())

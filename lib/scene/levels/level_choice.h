@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The choice of the level of a curved model that a picture needs.
+// Chooses the levels of curved models that a picture needs.
 #ifndef L3D_SCENE_LEVEL_CHOICE_H
 #define L3D_SCENE_LEVEL_CHOICE_H
 
@@ -11,7 +11,7 @@
 /// third. So larger shares would save little.
 inline constexpr double l3d_curved_share = 0.125, l3d_curved_share_of_shade = 0.25;
 
-/// A picture, and the largest errors that its curved models may have.
+/// A picture, and the largest errors that curved models may have in it.
 struct l3d_level_view {
     const l3d_camera& camera;
     l3d_size size;

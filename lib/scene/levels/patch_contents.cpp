@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The data of l3d_patch_model: computed once for each patch, and for each level on request.
+// The data of l3d_patch_model. It computes them once for each patch, and for each level on request.
 #include "scene/levels/patch_contents_p.h"
 
 #include "scene/culling/closed_body.h"
@@ -22,7 +22,7 @@ l3d_slanted_box upright_box(const vector& least, const vector& most) {
     return box;
 }
 
-/// The largest coordinates of points from, from + step, and so on: four of them, or all sixteen.
+/// The largest magnitudes of coordinates among `count` points: `from`, from + step, and so on.
 vector largest_of(const l3d_patch_model::patch& p, std::size_t from, std::size_t step,
                   std::size_t count) {
     vector result{0.0, 0.0, 0.0};
@@ -40,7 +40,8 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-/// Boxes grow by the error of the edges that a patch follows.
+/// Computes the data of all patches, or copies them from `like`. Boxes grow by the error of the
+/// edges that a patch follows.
 void l3d_patch_model::contents::learn(const contents* like,
                                       std::span<const std::size_t> places_in_like) {
     const bool has_normals = !normals.empty(); // normals of pieces, not of patches
@@ -148,7 +149,8 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     return kept;
 }
 
-/// A part of a body is no body, and the model's box still holds its hidden parts.
+/// Makes the contents for a wish. They have no orientation, since a part of a body is no body.
+/// Their box still holds the model's hidden parts.
 std::shared_ptr<const l3d_patch_model::contents>
 l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
     const std::scoped_lock lock(mutex_);
@@ -176,10 +178,12 @@ l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
 
 namespace {
 
-/// The largest change of unit normals if control points move by `off`. Derivatives are means of
-/// differences of control points, and move by 6 off, so n = S_u x S_v moves by some d. S_u and S_v
-/// are means of control vectors, and n.a is bilinear in them, so its least value is that of a pair.
-/// Unit vectors then differ by at most twice the distance over the length.
+/// Bounds the change of unit normals if control points move by `off`.
+///
+/// Derivatives are means of differences of control points, and move by 6 off, so n = S_u x S_v
+/// moves by some d. S_u and S_v are means of control vectors, and n.a is bilinear in them. So its
+/// least value is that of a pair. Unit vectors then differ by at most twice the distance over the
+/// length.
 double turn_of(const l3d_bezier_patch<double, 3>& p, double off) {
     std::vector<vector> along_u, along_v;
     for (int i = 0; i < 4; ++i)

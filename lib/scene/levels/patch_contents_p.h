@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-/// The bends of a patch, computed at the first call: cells outside the window need none.
+/// Computes the bends of a patch at the first call. Cells outside the window never need them.
 class l3d_patch_model::bends_on_demand {
 public:
     const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
@@ -37,9 +37,11 @@ private:
 };
 
 struct l3d_patch_model::contents {
-    /// Copies the data of each patch that `like`, if not null, has at the same index.
+    /// Computes the data of patches. It copies those of each patch that `like`, if not null, has at
+    /// the same index.
     contents(std::vector<patch> of, const contents* like);
-    /// The cells of a curved model. Data of equal cells are copied from `like`, if not null.
+    /// Computes the data of a curved model's cells. It copies those of equal cells from `like`, if
+    /// not null.
     contents(l3d_curved_pieces::cells of, const contents* like);
 
     std::vector<patch> patches;
@@ -47,8 +49,9 @@ struct l3d_patch_model::contents {
     std::vector<l3d_facing_cones> facing;
     std::vector<std::shared_ptr<bends_on_demand>> bends;
     std::vector<l3d_patch_reach> reaches;
-    std::vector<l3d_halved_side> halved;     ///< sides at which patches of half the size follow
-    std::vector<unsigned char> halved_edges; ///< empty, or per patch as l3d_patch_reach::edges
+    std::vector<l3d_halved_side> halved;     ///< sides beyond which two smaller patches follow
+    std::vector<unsigned char> halved_edges; ///< their bits for each patch, in the order of
+                                             ///< l3d_patch_reach::edges; empty if there are none
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
     l3d_box_lanes boxes;
@@ -56,9 +59,10 @@ struct l3d_patch_model::contents {
     // The following are for a curved model.
     std::vector<std::uint32_t> pieces;       ///< the piece that each patch belongs to
     std::vector<l3d_parameter_range> ranges; ///< the part of that piece
-    std::vector<l3d_trim_region> trims;      ///< one of each patch; none if no piece is trimmed
-    std::vector<double> edges_off;           ///< as l3d_curved_pieces::cells has it
-    std::vector<double> errors;              ///< errors of places, one for each patch
+    std::vector<l3d_trim_region>
+        trims;                     ///< the region left of each patch; empty if no piece is trimmed
+    std::vector<double> edges_off; ///< as l3d_curved_pieces::cells has it
+    std::vector<double> errors;    ///< errors of places, one for each patch
     double surface_error = 0, normal_error = 0;
     double share = 0; ///< the largest ratio of an error of places to the allowed one
 
@@ -66,18 +70,19 @@ private:
     void learn(const contents* like, std::span<const std::size_t> places_in_like);
 };
 
-/// The errors of pieces that approximate another surface.
+/// The errors that a program states for pieces that approximate another surface.
 struct l3d_patch_model::stated {
     stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
 
-    /// `is_of_points` is false where errors of points may turn normals by any angle.
+    /// Takes the stated errors. Clears `is_of_points` where errors of points may turn normals by
+    /// any angle.
     std::vector<l3d_patch_error> errors;
     double places = 0;  ///< the largest
-    double normals = 0; ///< the largest of pieces with is_of_points
+    double normals = 0; ///< the largest among pieces with is_of_points
 };
 
-/// The pieces of a curved model, and its levels made so far. Contents of another model's levels
-/// help to make them.
+/// The pieces of a curved model, and the levels of it that were made so far. Levels of another
+/// model help to make them.
 struct l3d_patch_model::source {
     using kept_levels = std::map<std::pair<int, int>, std::shared_ptr<const contents>>;
 
@@ -90,37 +95,38 @@ struct l3d_patch_model::source {
     }
 
     std::shared_ptr<const contents> at_level(int places, int normals) const;
-    /// The largest error of places of a level, and the number of its patches. Each corner of a trim
-    /// counts as a share of a patch, since frames cut quads there.
+    /// The largest error of places of a level, and about how many patches it has. Each corner of a
+    /// trim counts as a share of a patch, since frames cut quads there.
     std::pair<double, double> error_and_count(int places, int normals) const {
         const std::scoped_lock lock(mutex_);
         const l3d_curved_pieces::cuts& by = cuts_at(places, normals);
         constexpr double of_corner = 1.0 / 4;
         return {by.error, by.cells + of_corner * pieces.trim_corners(places)};
     }
-    /// The contents for a wish with a region; null if the region hides all.
+    /// Makes the contents for a wish with a region, or finds them. Null if the region hides
+    /// everything.
     std::shared_ptr<const contents> seen(const l3d_cell_wish& wanted) const;
 
     l3d_curved_pieces pieces;
 
 private:
-    /// The wishes whose contents are kept: those of some instances, or of some views in turn.
+    /// How many wishes' contents are kept: enough for some instances, or for some views in turn.
     static constexpr std::size_t most_seen = 8;
 
     l3d_cell_wish wish(int places, int normals) const {
         return {.places = pieces.place_target(places), .normals = normals};
     }
-    /// The cuts of a level, which start from those of the coarser level of places or, at its level
-    /// 0, of normals. So a level does not depend on the order of requests.
+    /// The cuts of a level. They start from the cuts of the next coarser level of places or, at
+    /// level 0 of places, of normals. So a level does not depend on the order of requests.
     const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const;
 
     mutable std::mutex mutex_;
     mutable std::map<std::pair<int, int>, l3d_curved_pieces::cuts> cuts_;
-    /// Levels with the same cuts are one.
+    /// Contents by their cuts: levels with the same cuts share one.
     mutable std::map<std::vector<std::vector<double>>, std::shared_ptr<const contents>> made_;
     mutable kept_levels levels_;
     mutable l3d_found_cells found_;
-    /// By wishes with regions; the last request comes first.
+    /// Contents by their wishes with regions. The last request comes first.
     mutable std::list<std::pair<l3d_cell_wish, std::shared_ptr<const contents>>> seen_;
     const kept_levels like_;
 };

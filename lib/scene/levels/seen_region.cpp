@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_seen_region: four sides that enclose all views with the same rounded eye and direction.
+// l3d_seen_region: makes four sides that enclose all views with the same rounded eye and direction.
 #include "scene/levels/seen_region.h"
 
 #include "scene/sides/shared_edges.h"
@@ -14,12 +14,12 @@ namespace {
 
 using vector = l3d_seen_region::vector;
 
-/// Eyes and directions are rounded to a sixteenth of half of the picture. Coarser grids keep the
-/// region for longer while the camera moves, but make it larger. With a sixteenth, it is about
-/// twice as large as a picture of 4 by 3.
+/// The grids to which eyes and directions are rounded: a sixteenth of half of the picture. Coarser
+/// grids keep the region for longer while the camera moves, but make it larger. With a sixteenth,
+/// it is about twice as large as a picture of 4 by 3.
 constexpr double grid_share = 1.0 / 16;
 
-/// The power of two that is at most x.
+/// The largest power of two that is at most x.
 double power_below(double x) {
     return std::exp2(std::floor(std::log2(x)));
 }
@@ -46,13 +46,14 @@ vector across(const vector& v) {
 
 } // namespace
 
-/// In the rounded axes, |x| <= a + b z holds for all that the picture shows.
+/// Finds a and b so that |x| <= a + b z holds in the rounded axes for everything that the picture
+/// shows.
 ///
 /// Let the eye be off by at most e, and the direction by at most d. A place of the picture is eye +
 /// z forward + s with |s| <= t z, where t is the tangent of half of the picture's diagonal. So in
 /// the rounded axes |x| <= e + z (d + t), and depth is at least z (1 - d d / 2 - t d) - e. With c =
 /// 1 - d d / 2 - t d, b = (d + t) / c and a = e (1 + b). A place with |x|, |y| <= a + b z is no
-/// farther from the rounded eye than z + 2 (a + b z), so its depth is at least z - e - d (z + 2 (a
+/// farther from the rounded eye than z + 2 (a + b z). So its depth is at least z - e - d (z + 2 (a
 /// + b z)).
 std::optional<l3d_seen_region> l3d_seen_region::of(const l3d_camera& camera, l3d_size size,
                                                    double least_depth, double reach) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_seen_region: the part of space that may be seen from views that are nearly alike.
+// l3d_seen_region: the part of space that nearly equal views may show.
 #ifndef L3D_SCENE_SEEN_REGION_H
 #define L3D_SCENE_SEEN_REGION_H
 
@@ -12,8 +12,8 @@
 #include <optional>
 #include <span>
 
-/// A pyramid, or a square column in a parallel projection, that holds everything that a picture
-/// shows, and some space around it.
+/// The part of space that a picture shows, with some space around it. It is a pyramid, or a square
+/// column in a parallel projection. Cells outside of it need not be fine.
 ///
 /// It depends on the view alone. The eye and the direction of sight are rounded to grids, so it
 /// stays the same while the camera moves a little.
@@ -21,9 +21,9 @@ class l3d_seen_region {
 public:
     using vector = l3d_vector<double, 3>;
 
-    /// The region of a view; nothing if its numbers would be too small or too large.
+    /// Makes the region of a view. Returns nothing if its numbers would be too small or too large.
     ///
-    /// Units:   `least_depth` is the least distance along the view axis of anything drawn; `reach`
+    /// Units:   `least_depth` is the least distance along the view axis of anything drawn. `reach`
     ///          is the largest distance from the target, for a parallel projection.
     /// Expects: a valid camera, least_depth > 0.
     static std::optional<l3d_seen_region> of(const l3d_camera& camera, l3d_size size,
@@ -32,11 +32,11 @@ public:
     /// The same region in the coordinates of a model with this placement.
     l3d_seen_region in(const l3d_matrix<double>& placement) const;
 
-    /// Whether the hull of some points lies beyond one of the four sides. Points are (x w, y w, z
-    /// w, w) with positive weights w.
+    /// Whether the hull of some points lies outside, beyond one of the four sides. Points are (x w,
+    /// y w, z w, w) with positive weights w.
     bool hides(std::span<const l3d_vector<double, 4>> points) const;
-    /// The least depth of the hull of such points, in any of the views: the distance along the view
-    /// axis, or 1 in a parallel projection. It may be negative.
+    /// Bounds the depth of the hull of such points from below, for any of the views. The depth is
+    /// the distance along the view axis, or 1 in a parallel projection. The bound may be negative.
     double least_depth(std::span<const l3d_vector<double, 4>> points) const;
     /// Whether a box lies inside.
     bool holds(const vector& least, const vector& most) const;
@@ -44,10 +44,10 @@ public:
     friend bool operator==(const l3d_seen_region&, const l3d_seen_region&) = default;
 
 private:
-    /// The factors of x, y, z and 1.
+    /// A linear function of a place: the factors of x, y, z and 1.
     using sum = std::array<double, 4>;
-    std::array<sum, 4> sides_{}; ///< sums that are not negative inside; one for each side
-    sum depth_{};                ///< a lower bound of the depth of places inside
+    std::array<sum, 4> sides_{}; ///< one for each side, not negative in the region
+    sum depth_{};                ///< nowhere larger than the depth of a place in the region
 };
 
 #endif

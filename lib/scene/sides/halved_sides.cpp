@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_halved_sides: looks up halves in a table of sides.
+// l3d_find_halved_sides: looks up halves of sides in a table of sides.
 #include "scene/sides/halved_sides.h"
 
 #include "base/number_hash_p.h"
@@ -17,7 +17,7 @@ using numbers = std::array<double, 12>;
 struct met_sides {
     std::size_t count = 0;
     l3d_halved_side::place first{};
-    bool forward = false; ///< the first one's points sort before their reverse
+    bool forward = false; ///< whether the first one's points sort before their reverse
 };
 
 } // namespace

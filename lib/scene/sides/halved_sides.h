@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_halved_sides: sides of patches at which two patches of half the size continue the surface.
+// l3d_halved_side: a side of a patch at which two patches of half the size continue the surface.
 #ifndef L3D_SCENE_HALVED_SIDES_H
 #define L3D_SCENE_HALVED_SIDES_H
 
@@ -11,7 +11,8 @@
 #include <span>
 #include <vector>
 
-/// A side whose two halves are sides of other patches, with the same control points bit for bit.
+/// A side of a patch whose two halves are sides of other patches. Their control points are the
+/// same, bit for bit.
 ///
 /// Shape: sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
 struct l3d_halved_side {
@@ -20,12 +21,13 @@ struct l3d_halved_side {
         std::uint32_t patch = 0, side = 0;
     };
     place of{};                    ///< the side
-    std::array<place, 2> beyond{}; ///< the sides beyond, in the order of the halves
-    /// Whether a side beyond is walked in the same direction, so that normals are opposite.
+    std::array<place, 2> beyond{}; ///< the two sides beyond it, in the order of the halves
+    /// Whether each side beyond is walked in the same direction, so that its patch has opposite
+    /// normals.
     std::array<bool, 2> turns{};
 };
 
-/// A side of a patch as one walks round it. Expects: side < 4.
+/// The curve of a side, in the direction in which one walks round the patch. Expects: side < 4.
 inline l3d_bezier_curve<double, 3> l3d_walked_side(const l3d_bezier_patch<double, 3>& patch,
                                                    std::size_t side) {
     switch (side) {
@@ -40,7 +42,7 @@ inline l3d_bezier_curve<double, 3> l3d_walked_side(const l3d_bezier_patch<double
     }
 }
 
-/// The coordinates of a curve's control points, to be compared; -0 becomes 0.
+/// The coordinates of a curve's control points, as a key to compare. -0 becomes 0.
 inline std::array<double, 12> l3d_numbers_of(const l3d_bezier_curve<double, 3>& curve) {
     std::array<double, 12> result{};
     for (std::size_t i = 0; i < 4; ++i)
@@ -49,8 +51,8 @@ inline std::array<double, 12> l3d_numbers_of(const l3d_bezier_curve<double, 3>& 
     return result;
 }
 
-/// Finds all halved sides, in the order of their patches. Both they and the sides beyond are equal
-/// to no other side.
+/// Finds all halved sides, in the order of their patches. Neither a halved side nor a side beyond
+/// it equals any other side.
 /// Cost: some 1 us a patch.
 std::vector<l3d_halved_side>
 l3d_find_halved_sides(std::span<const l3d_bezier_patch<double, 3>> patches);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_patch_neighbours: sides of a model's patches that may be outlines, and patches that touch.
+// l3d_patch_neighbours: finds sides of a model's patches that may be outlines, and patches that
+// touch.
 #ifndef L3D_SCENE_PATCH_NEIGHBOURS_H
 #define L3D_SCENE_PATCH_NEIGHBOURS_H
 
@@ -11,20 +12,20 @@
 #include <span>
 #include <vector>
 
-/// The sides of a model's patches that end or break the surface, and the patches that touch.
+/// Knows which sides of a model's patches end or break the surface, and which patches touch.
 ///
-/// A side is inside the surface if l3d_side_pairs pairs it with another. It is smooth if normals on
-/// both sides point the same way, to eight levels of grey. A side that is a point is smooth if all
-/// of its normals point the same way.
+/// A side lies inside the surface if l3d_side_pairs pairs it with another. It is smooth if normals
+/// on both sides point the same way, to within eight levels of grey. A side that is a point is
+/// smooth if all its normals point the same way.
 /// Cost: some 10 us a patch.
 class l3d_patch_neighbours {
 public:
     explicit l3d_patch_neighbours(const l3d_patch_model& model);
 
-    /// Sides that are not smooth, bit by bit: v = 0, u = 1, v = 1, u = 0.
+    /// The sides of a patch that are not smooth, as bits: v = 0, u = 1, v = 1, u = 0.
     unsigned outlines(std::size_t patch) const { return outlines_[patch]; }
 
-    /// Patches that have a corner in common with this one, itself included, in order.
+    /// The patches that share a corner with this one, itself included, in order.
     std::span<const std::uint32_t> touching(std::size_t patch) const { return touching_[patch]; }
 
 private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_shared_edge: finds the edges of a file, with the stops and places that their faces need.
+// l3d_shared_edges: finds the edges of a file, with the stops and the places that their faces need.
 #include "scene/sides/shared_edges.h"
 
 #include "geom/trims/trim_region.h"
@@ -13,10 +13,11 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// The parameters of an edge between which all faces have it wholly or not at all.
+/// The parameters that divide an edge. Between two of them, each face has the edge wholly or not at
+/// all.
 using stops = std::vector<double>;
 
-/// Parameters that differ by less than this part of the edge are one place, as files round them.
+/// Parameters that differ by less than this part of the edge are one place, since files round them.
 constexpr double same_stop = 0x1p-30;
 
 double range_of(const l3d_nurbs_curve& curve) {
@@ -68,9 +69,9 @@ std::vector<l3d_shared_edge::span> spans_of(const l3d_nurbs_curve& curve, const 
     return result;
 }
 
-/// Moves ends to one place if they are nearer than their edges' tolerances, or than the faces are
-/// off. The place is that of the end whose edge is the most exact. So a loose edge moves none that
-/// is tighter.
+/// Moves ends of edges to one place if they are near enough. That is, they are nearer than their
+/// edges' tolerances, or than the faces are off. The place is that of the end whose edge is the
+/// most exact. So a loose edge moves none that is tighter.
 void join_ends(std::vector<l3d_shared_edge>& edges) {
     struct end {
         vector at;
@@ -87,7 +88,7 @@ void join_ends(std::vector<l3d_shared_edge>& edges) {
                            i, side});
     const auto x = [](const end& e) { return e.at[0]; };
     std::ranges::stable_sort(all, {}, x);
-    // Goes from the most exact end on; among equals, by x.
+    // Goes from the most exact end to the least exact one; among equals, by x.
     std::vector<std::size_t> order(all.size()), place_in_order(all.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return all[i].near; });
@@ -95,8 +96,8 @@ void join_ends(std::vector<l3d_shared_edge>& edges) {
         place_in_order[order[i]] = i;
     for (std::size_t i = 0; i < order.size(); ++i) {
         const end& one = all[order[i]];
-        std::size_t first = i; // in the order, of those that are near enough
-        // The ends before it are no less exact.
+        std::size_t first = i; // the first in this order of those that are near enough
+        // Ends before this one are at least as exact.
         for (auto other = std::ranges::lower_bound(all, one.at[0] - 2 * one.near, {}, x);
              other != all.end() && other->at[0] - one.at[0] <= 2 * one.near; ++other)
             if (l3d_length(other->at - one.at) <= other->near + one.near)
@@ -107,7 +108,7 @@ void join_ends(std::vector<l3d_shared_edge>& edges) {
     }
 }
 
-/// How far a piece is off the edges that its trims follow, at places along each.
+/// Measures how far a piece is off the edges that its trims follow, at places along each.
 void measure(const l3d_patch_points& piece, std::span<const l3d_model_edge> edges,
              std::vector<l3d_shared_edge>& to) {
     constexpr int places = 8;

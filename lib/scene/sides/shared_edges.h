@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-/// An edge of a model as Bezier curves, one after another.
+/// An edge of a model: a curve in space, cut into Bezier curves one after another.
 struct l3d_shared_edge {
     /// A part of the edge, from one parameter to another.
     struct span {
@@ -20,12 +20,13 @@ struct l3d_shared_edge {
     };
     l3d_nurbs_curve curve; ///< as the file has it
     std::vector<span> spans;
-    /// The ends. Edges share an end if theirs are no farther apart than both edges' tolerances.
+    /// The ends of the edge. Edges share an end if their own ends are near enough: by their
+    /// tolerances, or by how far they are off their faces.
     std::array<l3d_vector<double, 3>, 2> ends{};
     /// The largest distance found between the edge and its faces, at the same parameters. It is
     /// measured at places of each trim curve, not proven.
     double off = 0;
-    l3d_vector<double, 3> worst{0.0, 0.0, 0.0}; ///< the edge's place there
+    l3d_vector<double, 3> worst{0.0, 0.0, 0.0}; ///< the place of the edge where it was found
     double tolerance = 0;                       ///< the distance that the file allows
 
     /// Notes a distance at a place of the edge.
@@ -37,12 +38,12 @@ struct l3d_shared_edge {
     }
 };
 
-/// The longest chord of a shared edge in the picture. A straight edge has as many points as its
-/// length asks for, so that strips far outside the picture do not reach into it. Units: pixels.
+/// The longest chord of a shared edge in the picture. Even a straight edge has as many points as
+/// its length asks for. So strips far outside the picture do not reach into it. Units: pixels.
 inline constexpr double l3d_longest_shared_chord = 16;
 
-/// The edges that trims of these pieces follow. An edge has a span's end wherever a face begins or
-/// ends along it. Parameters of trims that are nearly those of such ends become equal to them.
+/// Finds the edges that trims of these pieces follow. A span of an edge ends wherever a face begins
+/// or ends along the edge. Parameters of trims that are nearly such ends become equal to them.
 std::vector<l3d_shared_edge> l3d_shared_edges(std::span<const l3d_model_edge> edges,
                                               std::span<l3d_patch_points> pieces);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// l3d_side_pairs: pairs of sides at which one patch continues another.
+// l3d_side_pairs: knows at which sides one patch continues another.
 #ifndef L3D_SCENE_SIDE_PAIRS_H
 #define L3D_SCENE_SIDE_PAIRS_H
 
@@ -10,17 +10,17 @@
 #include <cstdint>
 #include <vector>
 
-/// The continuation of the surface beyond the sides of a model's patches.
+/// Knows how the surface continues beyond the sides of a model's patches.
 ///
 /// The surface goes on where exactly one other side has the same control points, in either
-/// direction; or where the halves of a side are two others. Sides are v = 0, u = 1, v = 1, u = 0,
-/// in the order in which one walks round the patch.
+/// direction. It also goes on where the halves of a side are two other sides. Sides are v = 0, u =
+/// 1, v = 1, u = 0, in the order in which one walks round the patch.
 /// Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:
     static constexpr std::size_t sides = 4; ///< sides of a patch
 
-    /// The kind of neighbour beyond a side.
+    /// The kind of neighbour that a side has.
     enum class kind : unsigned char {
         open,   ///< the surface ends
         point,  ///< the side is a point, around which the surface goes on
@@ -29,16 +29,17 @@ public:
         half    ///< the half of another side has the same points
     };
 
-    /// A side's neighbour.
+    /// The neighbour of a side.
     struct beyond {
         kind is = kind::open;
         /// Whether both sides are walked in the same direction, so that the normals of the two
         /// patches are opposite.
         bool turns = false;
-        /// The other side of the pair, or the side of which this one is a half. They mean nothing
-        /// if it is halved itself.
+        /// The other side of the pair, or the side of which this one is a half. It means nothing
+        /// for a side that is halved itself.
         std::uint32_t patch = 0, side = 0;
-        std::uint32_t part = 0; ///< a half has 0 for the other side's first half, 1 for its second
+        std::uint32_t part =
+            0; ///< for a half: 0 if it is the other side's first half, 1 if the second
     };
 
     explicit l3d_side_pairs(const l3d_patch_model& model);
@@ -46,7 +47,8 @@ public:
     /// The neighbour beyond a side. Expects: a patch of the model, side < sides.
     const beyond& at(std::size_t patch, std::size_t side) const { return beyond_[patch][side]; }
 
-    /// The parameters (u, v) at t of a side, which begins at t = 0. Expects: side < sides.
+    /// The parameters (u, v) of the place t on a side, which begins at t = 0. Expects: side <
+    /// sides.
     static std::array<double, 2> place_on(std::size_t side, double t);
 
 private:

@@ -59,13 +59,13 @@ public:
     l3d_options& operator=(const l3d_options&) = delete;
     ~l3d_options();
 
-    /// Has --help list the options that are added next under a heading.
+    /// Begins a group of options: --help lists those that are added from now on under this heading.
     void begin_group(const std::string& heading);
 
-    /// Has --help end with a paragraph, such as the meaning of a word in capitals.
+    /// Adds a paragraph at the end of --help, such as the meaning of a word in capitals.
     void add_note(const std::string& text);
 
-    /// Has --help end with an example: arguments of the program, and their purpose.
+    /// Adds an example at the end of --help: arguments of the program, and their purpose.
     void add_example(const std::string& arguments, const std::string& purpose);
 
     /// A number from `least` to `most`; NaN and trailing text are refused.

@@ -38,8 +38,8 @@ struct mesa_gl {
     L3D_MESA_GL_CALLS(L3D_MESA_GL_MEMBER)
 #undef L3D_MESA_GL_MEMBER
 
-    /// Fills the table by find(name), which gives a pointer or null.
-    /// Errors:  the name of a call that is missing; null if none is.
+    /// Fills the table: find(name) gives a pointer to each call, or null.
+    /// Errors: returns the name of a call that is missing; null if none is.
     template <class Find> const char* load(const Find& find) {
         const char* missing = nullptr;
 #define L3D_MESA_GL_FIND(name)                                                                     \
