@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-/// Computes the bends of a patch at the first call. Cells outside the window never need them.
+/// Computes the bends of a patch at the first call. Patches outside the window never need them.
 class l3d_patch_model::bends_on_demand {
 public:
     const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
