@@ -46,9 +46,11 @@ public:
 
     l3d_normal_net() = default;
     explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
-    /// The net of these normals, divided in the same way.
+    /// Makes the net of given normals. Factors that vanish on an edge are divided out, as for a
+    /// patch.
     explicit l3d_normal_net(const l3d_normal_polynomial& normals);
-    /// Takes a net, and the same coefficients as floats. Expects: nothing to divide or to scale.
+    /// Takes a net, and the same coefficients as floats. Expects: a scaled net without such
+    /// factors.
     l3d_normal_net(const l3d_normal_polynomial& normals, const float (&in_floats)[3][6][6])
         : net_(normals) {
         std::copy_n(&in_floats[0][0][0], 3 * 6 * 6, &in_floats_[0][0][0]);

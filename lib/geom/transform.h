@@ -120,9 +120,8 @@ template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexc
 
 } // namespace l3d_detail
 
-/// The map that turns about the x axis, y towards z. Let a thumb point along the axis: of the left
-/// hand if the axes are left-handed, else of the right hand. The map turns the way that hand's
-/// fingers bend.
+/// The map that turns about the x axis, y towards z. It follows the right-hand rule in right-handed
+/// axes, and the left-hand rule in left-handed ones.
 /// Units:   degrees.
 template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
     return l3d_detail::turning<T>(1, 2, degrees);
@@ -257,8 +256,8 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
 }
 
 /// Makes the axes of m, its first three columns, unit vectors at right angles. This undoes the
-/// rounding of long products of turns. The first axis keeps its direction, and the second its side
-/// of the first. Column 3, the origin, and row 3 stay.
+/// rounding of long products of turns. The first axis keeps its direction. The second stays in the
+/// plane of both. Column 3, the origin, and row 3 stay.
 ///
 /// Errors:  nothing if the axes lie in a plane, or so near to it that rounding decides.
 /// Cost:    in double for every T, then rounded.

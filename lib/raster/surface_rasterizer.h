@@ -30,8 +30,9 @@ struct L3D_PUBLIC l3d_shading {
     /// already.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
-    bool keep_unit_normals = false; ///< lambert: a unit normal in each pixel, even where a plane of
-                                    ///< light would do
+    /// Whether mode lambert finds a unit normal in each pixel, even where a plane of light would
+    /// do.
+    bool keep_unit_normals = false;
 
     /// Whether pixels at edges show the mean light over their squares. Light is linear: levels are
     /// decoded by the sRGB curve, and the mean is encoded again. A rasterizer that cannot do it
@@ -81,8 +82,8 @@ struct L3D_PUBLIC l3d_shading {
     /// part's material is the index of its patch.
     l3d_inspection inspection{};
     const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
-    const l3d_own_shade* own = nullptr; ///< function of l3d_shade::own; borrowed until the frame's
-                                        ///< finish
+    /// Function of l3d_shade::own; borrowed until the frame's finish.
+    const l3d_own_shade* own = nullptr;
 
     /// Triangles that have colours of their own; borrowed until the frame's finish. Parts refer to
     /// them by numbers of materials.
@@ -250,8 +251,8 @@ public:
     /// Lives:   with anti-aliasing, borrows the parts until finish.
     void draw(std::span<const l3d_surface_part* const> parts) { do_draw(parts); }
 
-    /// Whether anything in a box, no nearer than `nearest_inv_w`, would change no pixel, since
-    /// earlier calls of draw in this frame hide it. False when in doubt.
+    /// Whether earlier calls of draw in this frame hide everything in a box that is no nearer than
+    /// `nearest_inv_w`. False when in doubt.
     ///
     /// Cost:    some nanoseconds for each 16 x 8 pixels of the box. Any number of threads may ask
     ///          while none draws.

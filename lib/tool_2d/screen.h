@@ -146,8 +146,8 @@ struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< title of the window, in UTF-8
     std::string name = "l3d";  ///< name of the program, for window managers and their rules
-    /// The side of the square of display pixels that shows a pixel of the picture. With 0 it is
-    /// one. The picture then exceeds `size` by the factor by which the display is finer than 96
+    /// The side, in display pixels, of the square that shows a pixel of the picture. 0 stands for
+    /// 1, with a picture larger than `size` by the factor by which the display is finer than 96
     /// dots an inch.
     int scale = 0;
     /// How pictures travel to a display. Screens that are no windows ignore it.

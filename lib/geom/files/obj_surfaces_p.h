@@ -54,8 +54,8 @@ public:
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
-    /// Marks a trim curve's edge as the number of a curve of curv2, of which there are fewer than
-    /// 2^31. Trims have such numbers until connections are read.
+    /// A flag in l3d_trim_curve::edge. Until connections are read, the other bits are the number of
+    /// a curve of curv2, of which there are fewer than 2^31.
     static constexpr std::uint32_t unconnected = 0x80000000;
 
     enum class kind { none, bezier, bspline, other };

@@ -50,8 +50,7 @@ public:
     void note_once(const std::string& what);
     std::vector<std::string> take_notes();
 
-    /// Sets the place of values, such as " of vertex 3 of 8", that messages name until the next
-    /// call.
+    /// Sets the place of values that messages name from now on, such as " of vertex 3 of 8".
     /// Lives: `of_what` is kept, not copied.
     void set_place(const char* of_what, std::size_t index, std::size_t count) {
         of_what_ = of_what;

@@ -14,9 +14,9 @@ namespace l3d_detail {
 
 /// A colour that covers a share of a place.
 struct mixed_color {
-    std::array<double, 3> values{}; ///< red, green and blue as a color_mixer has them, each times
-                                    ///< `opacity`
-    double opacity = 0;             ///< the covered share, from 0 to 1
+    /// Red, green and blue as a color_mixer has them, each times `opacity`.
+    std::array<double, 3> values{};
+    double opacity = 0; ///< the covered share, from 0 to 1
 };
 
 /// Mixes colours, and rounds the result once, to the nearest level.

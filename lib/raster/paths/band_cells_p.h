@@ -48,9 +48,9 @@ public:
 private:
     /// The number of pixels whose values are found together.
     static constexpr std::size_t group = 8;
-    /// The sums over all edges in a pixel. `cover` is the integral of the windings that they add
-    /// along the pixel's right side, and `area` that over the pixel. `visits` counts how often
-    /// outlines pass.
+    /// The sums over all edges in a pixel. `cover` is the integral, along the pixel's right side,
+    /// of the winding number that they add; `area` is the integral over the pixel. `visits` counts
+    /// how often outlines pass.
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;

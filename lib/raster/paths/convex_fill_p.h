@@ -31,8 +31,8 @@ struct side_block {
     std::array<lanes, most_corners> x, y;
     /// The first corner of each row, in memory.
     std::array<const l3d_point_2d*, rows> first;
-    /// The largest number of corners of a row that is done in lanes. Rows with more are left to
-    /// slower code, as all lanes wait for the one with the most.
+    /// The limit of corners in a row for the lanes. Rows with more are left to slower code, as all
+    /// lanes wait for the one with the most corners.
     double few_corners;
     /// The edge that is the chain in all rows, if `straight`. Then the members above have no
     /// meaning.

@@ -43,8 +43,7 @@ struct mesh_knots {
     std::size_t size = 0;
     std::vector<double> at;
     std::array<std::vector<double>, 4> weights; ///< values of the four cubic Bernstein polynomials
-    std::vector<std::size_t> quarter;           ///< the quarter in which the step that ends here
-                                                ///< lies
+    std::vector<std::size_t> quarter;           ///< the quarter that holds the step that ends here
 
     void set(const mesh_steps& steps);
 };

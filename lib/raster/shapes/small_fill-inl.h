@@ -39,8 +39,8 @@ struct small_box {
 };
 
 /// An edge function: its value at the first sample of the box, and its increments to the right and
-/// downwards. It is at least 0 where a sample is inside. On an edge that is neither left nor top,
-/// it is -1.
+/// downwards. A sample is inside if the value there is at least 0. It is -1 for samples on an edge
+/// that is neither left nor top.
 struct small_edge {
     std::int32_t first, per_column, per_row;
 };

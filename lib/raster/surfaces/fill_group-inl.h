@@ -234,13 +234,11 @@ private:
     std::size_t at_ = 0;  ///< index in the queue
     int_vec x_[4], y_[4]; ///< relative to the centre of pixel (column_, row_)
     int_vec column_, row_;
-    int_vec from_column_, to_column_, from_row_, to_row_; ///< the part in the band, relative to
-                                                          ///< (column_, row_)
+    /// The part in the band, relative to (column_, row_).
+    int_vec from_column_, to_column_, from_row_, to_row_;
     int_mask live_, large_;
-    int_mask at_edge_;                 ///< whether a row may begin where a run does not fit the
-                                       ///< picture
-    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in corners a, b
-                                       ///< and d
+    int_mask at_edge_; ///< whether a row may begin where a run does not fit the picture
+    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a, b and d
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;
     lane_plane inv_w_;

@@ -104,9 +104,9 @@ private:
     HWY_INLINE std::int32_t pitch() const { return static_cast<std::int32_t>(band_.depth_pitch); }
 
     const fill_band& band_;
-    int_vec first_, columns_, rows_; ///< the box: the index of its first pixel in the band's
-                                     ///< depths, and its size
-    float_vec nearest_;              ///< upper bound of inv_w in its pixels
+    /// The box: the index of its first pixel in the band's depths, and its size.
+    int_vec first_, columns_, rows_;
+    float_vec nearest_; ///< upper bound of inv_w in its pixels
     int_mask asked_;
 };
 

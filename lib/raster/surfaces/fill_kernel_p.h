@@ -158,11 +158,10 @@ struct fill_queue {
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
-    alignas(64) std::array<const void*, room> source; ///< the grid or the triangles to which it
-                                                      ///< belongs
+    alignas(64) std::array<const void*, room> source; ///< the grid or the triangles that have it
     alignas(64) std::int32_t seen[room]; ///< 0: hidden; tested when the polygon is to be filled
-    alignas(64) std::uint32_t material[room]; ///< as fill_words::of_material gives it; set only
-                                              ///< with materials
+    /// As fill_words::of_material; set only with materials.
+    alignas(64) std::uint32_t material[room];
     std::size_t count = 0;
 
     /// The pieces of folded and skew quads. They are filled after all others. So the order of two

@@ -182,8 +182,7 @@ private:
 
     float_vec normal_[3][4], spread_;
     float_vec square1_, square2_; ///< squared differences of opposite corners' normals
-    float_vec lean_;              ///< components of these differences along the twist, a - b + c -
-                                  ///< d
+    float_vec lean_;              ///< components of these differences along the twist a - b + c - d
     lane_plane lit_, facing_, bend_x_;
     lane_parabola bend_;
     fill_shape shape_;

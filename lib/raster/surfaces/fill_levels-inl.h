@@ -129,10 +129,10 @@ private:
     }
 
     float_vec level_[4];
-    float_vec side_ab_, side_ad_, side_bc_, side_dc_; ///< bends: the sides' middles above the means
-                                                      ///< of their ends
-    float_vec off_plane_; ///< distance of corners a and c above the quad's plane, and of b and d
-                          ///< below it
+    /// Bends: the sides' middles above the means of their ends.
+    float_vec side_ab_, side_ad_, side_bc_, side_dc_;
+    /// Height of corners a and c above the quad's plane, and of b and d below it.
+    float_vec off_plane_;
     lane_parabola level_of_;
     lane_plane slope_;
 };

@@ -46,15 +46,15 @@ using corner_arrays = std::array<vertex_arrays, 4>;
 /// The index of the first polygon's corner in each of the four arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// Arrays of the numbers that the queue takes for the corners' light. As many elements may be read
+/// The numbers of the corners' light that the queue takes, in arrays. As many elements may be read
 /// as in the corners' arrays.
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;
 };
 
-/// A vector of an array's elements from `at` on. Unless it is all `inside`, it has zeros after the
-/// end.
+/// Loads a vector of an array's elements from `at` on. If `Inside` is false, lanes beyond `size`
+/// are zero.
 template <bool Inside, class D, class T>
 HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
     if constexpr (Inside)

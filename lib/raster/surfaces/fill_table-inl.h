@@ -54,8 +54,8 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 /// the pixel at `begin`; names with `_x` are changes from column to column.
 struct fill_row {
     lane_array<std::int32_t> from, pixels; ///< first covered column, and number of covered pixels
-    lane_array<std::int32_t> begin; ///< first run's column: `from`; at the edge, or without pixels,
-                                    ///< one where a run fits
+    /// First run's column: `from`; at the edge, or without pixels, one where a run fits.
+    lane_array<std::int32_t> begin;
     lane_array<float> inv_w, lit;
 };
 
@@ -79,8 +79,7 @@ struct fill_table {
     lane_array<std::uint32_t> material;         ///< as fill_words::of_material gives it
     lane_array<std::int32_t> word_at, depth_at; ///< indices of column 0 in the first row
     lane_array<std::int32_t> height;            ///< number of rows; 0 if there is nothing to fill
-    lane_array<std::int32_t> longest;           ///< pixels of the longest row; > most_pixels at the
-                                                ///< edge
+    lane_array<std::int32_t> longest; ///< pixels of the longest row; > most_pixels at the edge
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;

@@ -18,8 +18,7 @@ struct row_light {
         word,   ///< no number: all pixels have `word`
         held,   ///< one number: the intensity, clamped between darkest and brightest
         normal, ///< four numbers: a normal of any length, and its product with the ray from the eye
-        code    ///< three numbers: a normal as in normal_code; its other two components go to the
-                ///< band's normals
+        code    ///< three numbers: a normal as in normal_code; two go to the band's normals
     };
 
     kind by = kind::word;

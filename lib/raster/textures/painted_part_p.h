@@ -60,8 +60,8 @@ struct painted_part {
     std::uint32_t first = 0;    ///< name of the quad at index 0
     std::uint32_t material = 0; ///< index of its material among the frame's
     const l3d_surface_part* part = nullptr;
-    l3d_patch_parameters origin; ///< the grid's first vertex's, from which `near` and its
-                                 ///< parameters count
+    /// Parameters of the grid's first vertex, to which `near` and `parameters` are relative.
+    l3d_patch_parameters origin;
     near_map near;
     std::size_t columns = 0, rows = 0; ///< indices of the first parameters of columns and of rows
     std::array<std::span<const l3d_patch_parameters>, 3>

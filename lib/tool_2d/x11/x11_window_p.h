@@ -48,14 +48,14 @@ public:
     /// The side, in display pixels, of the square that shows a pixel of ours.
     int scale() const { return scale_; }
 
-    /// Notes the display's fineness, as x11_fineness gives it. True if text_scale() changes by
-    /// that.
+    /// Notes the display's fineness, as x11_fineness gives it. Returns whether text_scale()
+    /// changes.
     bool set_fineness(double fineness);
 
     /// See l3d_screen::text_scale.
     double text_scale() const { return text_scale_; }
 
-    /// Converts a length or place from display pixels to ours. A size is rounded up, so that its
+    /// Converts a place from display pixels to ours, rounded down. Sizes are rounded up, so the
     /// last pixel may be cut.
     int ours(int native) const { return (native < 0 ? native - scale_ + 1 : native) / scale_; }
     l3d_size ours(l3d_size native) const {
