@@ -124,7 +124,7 @@ l3d_mixed_bounds l3d_mixed_bounds_of(const l3d_image_patch& patch, const l3d_ima
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
                                        double w_low);
 
-/// The bound of a curve's second derivative as seen in the image: a chord over a step 1/n errs by
+/// The bound of a curve's second derivative as seen in the image. A chord over a step 1/n errs by
 /// at most result / (8 n^2).
 double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
                            double w_low);

@@ -34,8 +34,8 @@ template <class T> struct L3D_PUBLIC l3d_point {
     /// The point that the vector leads to from the origin.
     explicit constexpr l3d_point(const vector& place) noexcept : from_origin(place) {}
 
-    /// The point with coordinates rounded to T. It has a name of its own, since a fixed point
-    /// number is never made implicitly.
+    /// The point with coordinates rounded to T. It is a named function, since fixed point numbers
+    /// are never made implicitly.
     static l3d_point of(double x, double y, double z) noexcept {
         return {l3d_from_double<T>(x), l3d_from_double<T>(y), l3d_from_double<T>(z)};
     }
@@ -208,8 +208,8 @@ private:
         for (std::size_t i = column + 1; i < 4; ++i)
             if (std::abs(rows_[i][column]) > std::abs(rows_[pivot][column]))
                 pivot = i;
-        // Entries are at most 1 at first. They grow by at most 2 in each of three steps, each with
-        // some 2^-53 of rounding. So an entry below 2^-46 is nothing but rounding.
+        // Entries are at most 1 at first. In each of three steps, they at most double, with some
+        // 2^-53 of rounding. So an entry below 2^-46 may be nothing but rounding.
         if (!(std::abs(rows_[pivot][column]) > 0x1p-46)) {
             regular_ = false;
             return;

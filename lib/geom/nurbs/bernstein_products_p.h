@@ -55,7 +55,8 @@ template <class V> struct net {
         }
         return result;
     }
-    /// The quotient by v of a polynomial that is 0 at v = 0: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
+    /// The quotient by v of a polynomial that is 0 at v = 0. It uses v B^(n-1)_j = (j + 1) / n
+    /// B^n_(j+1).
     net over_v() const {
         net result(m, n - 1);
         for (int r = 0; r < n; ++r)
@@ -65,8 +66,8 @@ template <class V> struct net {
     }
 };
 
-/// The largest degree of a product. A piece's normals have at most three times its degree, and the
-/// quintic that approximates them multiplies them.
+/// The largest degree of a product. A piece's normals have at most three times its degree. The
+/// quintic that approximates them is multiplied by them.
 inline constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
 /// Binomial coefficients n over k, which are exact in a double.
 inline constexpr auto binomials = [] {
@@ -81,9 +82,9 @@ inline double binomial(int n, int k) {
     return binomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
 }
 
-/// One coordinate of a polynomial: its Bernstein coefficients times binomials. Products in this
-/// form are plain sums of products. Source: Farouki and Rajan 1988, Algorithms for polynomials in
-/// Bernstein form.
+/// One coordinate of a polynomial: its Bernstein coefficients times binomials. In this form, the
+/// coefficients of a product are plain sums of products. Source: Farouki and Rajan 1988, Algorithms
+/// for polynomials in Bernstein form.
 class scaled_net {
 public:
     int m, n;

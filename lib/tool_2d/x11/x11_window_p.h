@@ -74,8 +74,8 @@ public:
     /// The parts of this program that may want all motion of the pointer.
     enum class watcher : unsigned { fullscreen = 1, program = 2 };
 
-    /// Says whether `who` needs all motion of the pointer, or only motion while a button is held.
-    /// The server tells all of it as long as one of them needs it.
+    /// Sets whether `who` needs all motion of the pointer, or only motion while a button is held.
+    /// The server reports all motion as long as one watcher needs it.
     void watch_pointer(watcher who, bool always);
 
     /// A cursor without any pixel. Lives: until it is freed, or the connection ends.
