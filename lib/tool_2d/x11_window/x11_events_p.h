@@ -18,7 +18,7 @@ namespace l3d_detail {
 
 /// Translates the events of one window and keeps them until they are asked for.
 ///
-/// Of some events only the latest is kept: the size, the window's visibility, a lost picture, and
+/// It keeps only the latest of some events: the size, the window's visibility, a lost picture, and
 /// the pointer's place until something else happens. Every key whose press is reported is also
 /// reported as released, when the window loses the keyboard at the latest.
 ///
