@@ -77,7 +77,8 @@ template <bool x_major, bool prefetches>
 }
 
 /// Lights the visible steps of a line. It takes separate numbers, as a struct would be passed in
-/// memory. `at` is the word of the first step, but with the minor coordinate of the line's begin.
+/// memory. `at` is the word at the first step's major coordinate and at the minor coordinate of the
+/// line's begin.
 template <bool x_major>
 void light_steps(std::uint32_t* at, std::int64_t length, std::int64_t rise, std::int64_t first,
                  std::int64_t pixels, std::ptrdiff_t along, std::ptrdiff_t stride,

@@ -53,7 +53,7 @@ struct window_ends {
     }
 };
 
-/// A span takes as long as this many columns of values.
+/// The number of columns with values that take as long as a span.
 constexpr std::int32_t few_columns = 32;
 
 /// Finds the ends of the windows. Returns whether the two windows of any row share columns.

@@ -41,8 +41,9 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         return {1, false};
     const double third =
         6 * most_of({bends[1].x - bends[0].x, bends[1].y - bends[0].y}, weights[1] - weights[0]);
-    // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance. The h
-    // in brackets is that for third = 0. In this form, the quotients need not wait for the roots.
+    // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance. For
+    // the h in brackets, the value for third = 0 is taken. In this form, the quotients need not
+    // wait for the roots.
     const double squared = second / (16 * distance * least_weight);
     const double inner = std::sqrt(squared + 0.3 * third / second * std::sqrt(squared));
     const double steps = std::ceil(std::max(inner + 2 * (1 - flat_step_at_ends), 2.0));

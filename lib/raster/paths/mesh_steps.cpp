@@ -122,8 +122,8 @@ struct needed_steps {
 
 /// The steps that keep places within place_error. A linear triangle errs by at most half of the
 /// largest_mix of the second derivatives along its sides. In a cell of side h, these are h^2 times
-/// Suu, Svv and, along the diagonal, Suu +- 2 Suv + Svv. A cell that is shorter along u or v alone
-/// errs by no more (NUMERICS 20).
+/// Suu, Svv and, along the diagonal, Suu +- 2 Suv + Svv. Making a cell shorter only along u, or
+/// only along v, adds no error (NUMERICS 20).
 ///
 /// Source: Waldron: The error in linear interpolation at the vertices of a simplex (SIAM J.
 /// Numerical Analysis 35, 1998).

@@ -11,8 +11,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Whether it is certain that no point of `left` lies right of the point of `right` at the same
-/// height. Both span the same heights. With level edges it is never certain.
+/// Whether `left` certainly has no point right of the point of `right` at the same height. Both
+/// span the same heights. With level edges, it is never certain.
 bool is_left_of(const row_piece& left, const row_piece& right) {
     // Both are straight between their corners, so comparing corners is enough.
     const auto is_before = [](const row_piece& corners, const row_piece& edges, double way) {

@@ -56,7 +56,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v) {
     const vector ray = frame.ray(x, y);
-    // Each step doubles the exact digits. Guesses are right up to a part of a quad.
+    // Each step doubles the number of exact digits. A guess is at most a part of a quad away.
     constexpr int most_steps = 12;
     constexpr double farthest = 0.5; // from the guess; points further away are on another sheet
     constexpr double exact = 1e-6;   // pixels: the largest offset that may remain

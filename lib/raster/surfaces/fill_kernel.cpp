@@ -306,7 +306,7 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
     }
 }
 
-/// Fills quads in runs of columns, since there is room for the greys of one run only.
+/// Fills quads in runs of columns, since there is room for the greys of only one run.
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end) {
     constexpr int run_of_quads = fill_queue::run;

@@ -148,7 +148,7 @@ private:
         const auto [source, index, size, phase] = key;
         const FT_Face face = sized(*source, size);
         const FT_GlyphSlot slot = face->glyph;
-        // Hinted in height alone: stems keep their widths, and lines their lengths.
+        // Hinted only in height: stems keep their widths, and lines their lengths.
         if (FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) != 0)
             return {};
         FT_Outline_Translate(&slot->outline, phase * units / phases, 0);
