@@ -121,7 +121,7 @@ inline constexpr double l3d_most_normal_error = 1.0 / 256;
 struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles handed in
     /// Pixel centres tested against the depth buffer. Blocks that are found hidden as a whole are
-    /// not tested. Their number depends on how the work was divided, but not on the number of
+    /// not tested. So the number depends on how the work was divided, but not on the number of
     /// threads.
     std::int64_t samples = 0;
     std::int64_t written = 0; ///< tested pixels that were nearer than the depth there
@@ -158,7 +158,7 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// included. At most l3d_most_normal_error.
     double normal_error = 0;
     /// Tested pixels whose exact place on their patch was not found, in shades that inspect a
-    /// surface. They show the values interpolated between the drawn vertices.
+    /// surface. They show values interpolated between the drawn vertices.
     std::int64_t unsolved = 0;
     std::int64_t unproven_levels =
         0; ///< polygons whose errors exceed these limits, counted at each set-up

@@ -90,23 +90,23 @@ struct pixel_edges {
     }
 };
 
-/// The sums of all edges: their parts of the integrals, and the windings on the left of all of
-/// them, less those of the pixel's corner.
+/// Sums over all edges of a pixel: `own` is their part of the integral of the winding number.
+/// `before` is the winding number on the left of all edges, less that at the pixel's corner.
 struct edge_sums {
     double own, before;
 };
 
-/// Places the edges in the pixel whose top left corner is given, and computes all other members.
+/// Places the edges in the pixel with this top left corner, and computes all other members.
 /// Rounding never puts them beyond the pixel.
 edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 
-/// Finds the fields of a pixel in which the winding may be 0, a bit for each, row by row: 8 rows of
-/// 8. `beside` is the winding on the left of all edges. `sign` is -1 if negated windings are to be
-/// bounded, else 1. Expects: all edges are of layer 0.
+/// Finds the fields of a pixel in which the winding number may be 0. It returns a bit for each
+/// field, row by row: 8 rows of 8. `beside` is the winding number on the left of all edges. `sign`
+/// is -1 if negated winding numbers are bounded, else 1. Expects: all edges are of layer 0.
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
 
-/// Sets the heights between which each edge may pass such fields, to an empty range if there are
-/// none.
+/// Sets each edge's `top` and `bottom` to the heights between which it may pass fields of
+/// find_open; an empty range if it passes none.
 void set_heights(const pixel_edges& edges, std::uint64_t open);
 
 } // namespace l3d_detail

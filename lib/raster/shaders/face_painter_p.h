@@ -42,7 +42,8 @@ public:
         return words()[0];
     }
 
-    /// The same for pixels of a row: words() are the colours of those that show something.
+    /// Finds the colours of pixels of a row: afterwards, words() has them for pixels that show
+    /// something.
     void paint(const named_pixels& pixels);
     const std::uint32_t* words() const { return batch_.words(); }
 

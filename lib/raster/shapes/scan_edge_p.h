@@ -82,14 +82,15 @@ public:
 
     std::int32_t column() const { return static_cast<std::int32_t>(steps_.floor()); }
 
-    /// The distance from the edge to the sample of its column, on its right.
+    /// The distance from the edge to the sample on its right.
     /// Units: pixels, in [0, 1).
     double beyond() const {
         return static_cast<double>(steps_.denominator() - 1 - steps_.rest()) /
                static_cast<double>(steps_.denominator());
     }
 
-    /// The distance from the sample before to the edge: 1 - beyond(), with all its digits.
+    /// The distance from the sample on the edge's left to the edge. It is 1 - beyond(), without
+    /// loss of digits.
     double short_of() const {
         return static_cast<double>(steps_.rest() + 1) / static_cast<double>(steps_.denominator());
     }

@@ -118,9 +118,9 @@ private:
         return hn::AndNot(others, candidates);
     }
 
-    /// Finds the slivers at the picture's right edge. There a run begins left of the polygon to fit
-    /// the picture, where a sliver's numbers are some hundred times the corners'. Pieces of quads
-    /// would be thin, so quads at the edge are not cut.
+    /// Finds the slivers at the picture's right edge. A run there begins left of the polygon, to
+    /// fit the picture, and a sliver's numbers at that place are some hundred times the corners'.
+    /// Pieces of quads would be thin, so quads at the edge are not cut.
     HWY_INLINE int_mask slivers_at_the_edge() const {
         if (hn::AllFalse(ints(), at_edge_))
             return at_edge_;

@@ -81,8 +81,8 @@ private:
     }
 };
 
-/// Polygons that the lanes do not take: larger than 64 pixels, or, for lambert, with normals that
-/// differ too much. The caller fills them by the scalar filler after fill_finish.
+/// Polygons that the lanes do not take. They are larger than 64 pixels or, for lambert, have
+/// normals that differ too much. The caller fills them by the scalar filler after fill_finish.
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
@@ -131,7 +131,7 @@ struct fill_words {
     std::uint32_t unit() const { return has_materials ? 1 : 0x010101; }
 };
 
-/// A piece of a folded or skew quad. Shape: [corner][component], as in fill_queue.
+/// A triangle cut from a folded or skew quad. Shape: [corner][component], as in fill_queue.
 struct fill_piece {
     using corner = std::array<std::int32_t, 6>;
     std::array<corner, 3> corners;
@@ -147,9 +147,8 @@ struct fill_piece {
 /// Lives: one for each worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
-    /// The number of polygons that are filled together: whole vectors of every width. So the width
-    /// of vectors decides neither which polygons wait, nor what is drawn when a test for hidden
-    /// shapes comes.
+    /// The number of polygons that are filled together: whole vectors of every width. So neither
+    /// the polygons that wait, nor the results of tests for hidden shapes, depend on the width.
     static constexpr std::size_t enough = 3 * widest_vector;
     static constexpr std::size_t room = enough + 2 * widest_vector;
 

@@ -30,12 +30,12 @@ constexpr float grey_of_cosine = 229.5f;
 /// squares stay above 0.75.
 constexpr float smooth_spread = 1.0f;
 
-/// Limits for lengthening normals by one factor, 1 + spread / 32, in the whole polygon. The error
-/// must be at most flat_error grey levels. The spread must be at most flat_spread, where the
-/// squares of these errors are a tenth of a level.
+/// Limits for dividing normals by their length: up to these, the whole polygon has one factor,
+/// 1 + spread / 32. The error must be at most flat_error grey levels. The spread must be at most
+/// flat_spread, where the squares of these errors are a tenth of a level.
 constexpr float flat_error = 0.9f, flat_spread = 0.25f;
 
-/// The limit of a quad's spread if it is filled in pieces: a triangle's spread may be twice its
+/// The limit of the spread of a quad that is filled in pieces. A triangle's spread may be twice its
 /// quad's.
 constexpr float piece_spread = 0.49f * smooth_spread;
 

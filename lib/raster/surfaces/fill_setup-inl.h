@@ -197,7 +197,7 @@ struct lane_frame {
     }
 };
 
-/// The corners of a vector of polygons, and further inputs of their light beside normals or greys.
+/// The corners of a vector of polygons, and the inputs of their light other than normals and greys.
 struct lane_places {
     int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
     lane_frame frame;

@@ -40,8 +40,9 @@ struct bilinear {
     }
 };
 
-/// One step of Newton's method: the offset of (w x, w y) at (s, t) from w times the pixel's place,
-/// the derivatives of this offset by s and t, and the inverse of their determinant.
+/// A step of Newton's method. It has the offset of (w x, w y) at (s, t) from w times the pixel's
+/// place. It also has the derivatives of this offset by s and t, and the inverse of their
+/// determinant.
 struct lane_map {
     float_vec dx, dy, x_s, x_t, y_s, y_t, over;
 

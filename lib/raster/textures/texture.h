@@ -87,8 +87,8 @@ public:
     l3d_detail::texture_view view() const;
 
     /// The light of a pixel that covers this part; 1 is the light of level 255. The result has the
-    /// same bits on every processor. As the part's length, `trilinear` takes the longer one of the
-    /// two steps. `anisotropic` takes the axes of the ellipse in the parallelogram.
+    /// same bits on every processor. `trilinear` takes the longer one of the two steps as the
+    /// part's length. `anisotropic` takes the axes of the ellipse in the parallelogram.
     /// Expects: finite numbers.
     l3d_light_color light(l3d_texture_filter filter, const l3d_texture_place& place) const;
 
