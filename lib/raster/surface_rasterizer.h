@@ -149,13 +149,13 @@ struct L3D_PUBLIC l3d_surface_counts {
         unsolved += other.unsolved;
     }
 
-    /// The largest error of levels in mode `levels`, compared with those that the corners' levels
-    /// and bends give for the same parameters.
+    /// The largest error of levels in mode `levels`, compared with the levels that the corners'
+    /// levels and bends give for the same parameters.
     /// Units: levels; at most l3d_most_level_error.
     double level_error = 0;
-    /// The largest error of normals in lit frames, compared with those that the corners' normals
-    /// give for the same parameters. A quarter of the corners' deviation from one plane is not
-    /// included. At most l3d_most_normal_error.
+    /// The largest error of normals in lit frames, compared with the normals that the corners'
+    /// normals give for the same parameters. It is at most l3d_most_normal_error. It leaves out a
+    /// quarter of the corners' deviation from one plane.
     double normal_error = 0;
     /// Tested pixels whose exact place on their patch was not found, in shades that inspect a
     /// surface. They show values interpolated between the drawn vertices.

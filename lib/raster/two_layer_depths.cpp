@@ -140,9 +140,9 @@ bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
 /// The distance between two sheets at a pixel, in pixels.
 ///
 /// The sheets' planes are 1 / w = c + along_x x + along_y y, with x and y from the picture's
-/// centre. In space that is f along_x X + f along_y Y + c Z = 1. So a pixel's distance along the
-/// normal changes 1 / w by |(along_x, along_y, c / f)|. A pixel in the picture changes the
-/// difference of both depths by the difference of the planes' slopes. In a parallel projection,
+/// centre. In space, such a plane is f along_x X + f along_y Y + c Z = 1. So a pixel's distance
+/// along the normal changes 1 / w by |(along_x, along_y, c / f)|. A pixel in the picture changes
+/// the difference of both depths by the difference of the planes' slopes. In a parallel projection,
 /// depth_by_pixel takes the place of c / f.
 float l3d_two_layer_depths::gap_between(const fragment& front, const fragment& other, int x,
                                         int y) const {

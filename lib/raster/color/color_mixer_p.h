@@ -49,8 +49,8 @@ public:
         return result;
     }
 
-    /// A pixel word with a colour mixed over it by a share. If the word is transparent, both
-    /// colours are weighted by their coverage.
+    /// Mixes a colour over a pixel word, by a share. If the word is transparent, both colours are
+    /// weighted by their coverage.
     std::uint32_t over(std::uint32_t word, const mixed_color& color, double share) const {
         const double covers = color.opacity * share;
         if (covers <= 0)

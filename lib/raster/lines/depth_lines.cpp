@@ -69,8 +69,8 @@ void l3d_detail::depth_lines::add(const line& of, const depth_point& from, const
     const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
     const int bottom = end_pixel(std::max(from.y, to.y) + reach, size.height);
     for (int y = first_pixel(std::min(from.y, to.y) - reach, size.height); y < bottom; ++y) {
-        // In a row, the strip around the endless line is as wide as 2 reach over the sine of the
-        // line's angle with the row.
+        // Measured along a row, the strip around the endless line is as wide as 2 reach over the
+        // sine of the line's angle with the row.
         double left = std::min(from.x, to.x) - reach, right = std::max(from.x, to.x) + reach;
         if (std::abs(dy) > 0.01 * std::abs(dx)) { // else the row holds nearly all of the strip
             const double middle = from.x + (y + 0.5 - from.y) * dx / dy;

@@ -25,7 +25,7 @@ namespace {
 
 /// Items [begin, end) that are still to be taken, from either end.
 ///
-/// Shape: two cache lines of its own, since processors fetch them in pairs.
+/// Shape: fills two cache lines, since processors fetch them in pairs.
 class alignas(128) item_range {
 public:
     void set(int begin, int end) { ends_.store(packed(begin, end), std::memory_order_relaxed); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// find_values: finds the values of pixels from the integrals of their windings.
+// find_values: finds the coverage of pixels from the integrals of their winding numbers.
 #ifndef L3D_RASTER_PATHS_AREA_VALUES_P_H
 #define L3D_RASTER_PATHS_AREA_VALUES_P_H
 

@@ -107,8 +107,9 @@ struct pair_spans {
     std::size_t span_count = 0, value_count = 0;
 };
 
-/// Finds the spans between two chains, row by row. It leaves out rows in which the chains cross, or
-/// one has many corners or reaches across many columns. Returns these rows, a bit for each.
+/// Finds the spans between two chains, row by row. It leaves out rows in which the chains cross,
+/// and rows in which a chain has many corners or reaches across many columns. Returns the rows left
+/// out, a bit for each.
 /// Expects: x >= 0.
 std::uint32_t cover_rows(const side_pair& pair, pair_spans& result);
 

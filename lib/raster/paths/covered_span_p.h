@@ -56,7 +56,7 @@ public:
         *room(1) = last;
         use(1);
     }
-    /// Shortens the list to its first items. Expects: the list has as many.
+    /// Keeps only the first items of the list. Expects: the list has so many.
     void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
     T& operator[](std::size_t i) { return room_[i]; }

@@ -25,8 +25,8 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         weights[i] = plain ? 0 : second(2);
         bends[i] = {second(0) - origin.x * weights[i], second(1) - origin.y * weights[i]};
     }
-    // The largest length of bend - x weight for places x on chords, which are within `distance` of
-    // the hull.
+    // The largest length of bend - x weight, for all places x on chords, which are within
+    // `distance` of the hull.
     const auto most_of = [&](l3d_point_2d bend, double weight) {
         double most = 0;
         for (const l3d_point_2d& corner : hull) {
@@ -47,7 +47,8 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
     const double squared = second / (16 * distance * least_weight);
     const double inner = std::sqrt(squared + 0.3 * third / second * std::sqrt(squared));
     const double steps = std::ceil(std::max(inner + 2 * (1 - flat_step_at_ends), 2.0));
-    // Where one half bends less than the other, uneven steps save more than they cost.
+    // If one half bends less than the other, uneven steps save more than they cost, up to this
+    // number of steps.
     constexpr double most_uneven_steps = 24;
     return {steps, steps > (third < second / 4 ? most_flat_steps : most_uneven_steps)};
 }

@@ -209,8 +209,8 @@ double l3d_gradient::parts_at(l3d_point_2d at) const {
 std::uint32_t l3d_gradient::word_at(l3d_point_2d at) const {
     const slope whole = slope_at(at);
     double parts = radial_ ? parts_at(at) : 1;
-    // Between two stops, the mean of a curved run of places differs from its middle by a 24th of
-    // its bend.
+    // Between two stops, the places along a pixel may be curved. Their mean then differs from the
+    // middle by a 24th of the bend.
     const double change = std::abs(whole.right) + std::abs(whole.down);
     constexpr double nothing = 1.0 / 16; // levels
     if (parts > 1 && is_opaque_ && steepest_ * change * parts * parts < 24 * 128 * nothing &&
@@ -257,9 +257,9 @@ l3d_mesh_patch l3d_mesh_patch::coons(const std::array<l3d_point_2d, 12>& around,
         p[3][3 - i] = around[6 + i];
         p[3 - i][0] = around[9 + i];
     }
-    // An inner point depends on the corner next to it, a. The terms are: a, its neighbours on the
-    // borders, the corners beside it, the points opposite of these neighbours, and the corner
-    // opposite of it.
+    // Computes an inner control point from the corner next to it, a. The terms are: a, its
+    // neighbours on the borders, the corners beside it, the points opposite of these neighbours,
+    // and the corner opposite of a.
     const auto inner = [&p](std::size_t row, std::size_t column) {
         const std::size_t r = row == 1 ? 0 : 3, c = column == 1 ? 0 : 3;
         const std::size_t far_r = 3 - r, far_c = 3 - c;

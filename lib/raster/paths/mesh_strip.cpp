@@ -45,8 +45,8 @@ struct set_up_triangles {
     alignas(64) integers_of_all state, left, top, columns, rows;
     alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< edge functions
     alignas(64) std::array<floats_of_all, 3> start, across, down;          ///< linear colours
-    /// Twist of a bilinear colour. In each place, `twist` times the shares of the two corners on
-    /// the diagonal is added to the linear colour.
+    /// The twist of a bilinear colour. At each place, it adds `twist` times the shares of the two
+    /// corners on the diagonal to the linear colour.
     alignas(64) std::array<floats_of_all, 3> twist;
     struct share {
         floats_of_all start, across, down;
@@ -219,7 +219,7 @@ HWY_ATTR HWY_INLINE void put(const lane_plane& plane, set_up_triangles::floats_o
 }
 
 /// Sets up the colours of triangles whose first and last corners are on the diagonal. Returns the
-/// lanes where they do not change too fast.
+/// lanes whose colours do not change too fast.
 HWY_ATTR HWY_INLINE condition put_colors(const lane_corner& p, const lane_corner& q,
                                          const lane_corner& r, const std::array<number, 3>& twist,
                                          number area, number width, number height,

@@ -23,7 +23,7 @@ struct pen_point {
 /// chain, or two if the chain is closed.
 ///
 /// An outline is the sum of a rectangle for each chord and a wedge for each joint, all wound in the
-/// same direction. For that, it passes through the joint itself on the joint's inner side. So the
+/// same direction. Therefore, it passes through the joint itself on the joint's inner side. So the
 /// winding number of each covered place is 1 or more, and never returns to 0.
 class pen_outline {
 public:
@@ -44,7 +44,7 @@ private:
     /// The place where two chords meet.
     struct joint {
         l3d_point_2d at;
-        /// Directions at the first one's end and at the second one's beginning.
+        /// Directions at the end of the first chord and at the beginning of the second one.
         l3d_point_2d ends, begins;
         double shortest; ///< the length of the shorter chord
         l3d_join join;

@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// The way by which an outline gets into a pixel, where its first edge there begins.
+/// The way by which an outline reaches the place in a pixel at which an edge begins.
 enum class cell_begin : std::uint8_t {
     enters,      ///< by a side other than the left one, or by one that is not known
     continues,   ///< it continues the edge before

@@ -15,7 +15,7 @@
 
 namespace l3d_detail {
 
-/// Sorts a list that mostly has few elements.
+/// Sorts a list, which mostly has few elements.
 template <class List, class Less> void sort_few(List& of, const Less& less) {
     constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
     if (of.size() > few)
@@ -106,7 +106,7 @@ public:
     void add_cluster(std::span<const row_edge> edges, const windings& left, const fill_rules& rules,
                      std::span<const winding_change> changes = {});
 
-    /// Adds a single border, whatever else is added. The height is negative if the inside is on the
+    /// Adds a single border, independent of others. The height is negative if the inside is on the
     /// left.
     void add_border(double x0, double x1, double height);
 

@@ -96,7 +96,7 @@ struct side_lanes {
         }
     }
 
-    /// The rows that have a corner number i.
+    /// The rows with at least i + 1 corners.
     HWY_ATTR HWY_INLINE mask has(std::size_t i) const {
         return hn::Gt(corners.v, hn::Set(eight_doubles(), static_cast<double>(i)));
     }

@@ -32,7 +32,7 @@ public:
     }
 
     /// The colour of a name at a place of the picture, 0x00RRGGBB. A place outside of the triangle
-    /// gets the colour on the nearest side.
+    /// gets the colour of the nearest point on its sides.
     /// Units: pixels from the top left corner.
     std::uint32_t color(std::uint32_t name, double x, double y) {
         one_.names[0] = name;

@@ -16,8 +16,8 @@ using vector = l3d_inspected_patches::vector;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// How far a point is from the ray through a pixel, along the picture's axes. For a direction, it
-/// is the change of that distance along the direction.
+/// The distance of a point from the ray through a pixel, along the picture's axes. For a direction,
+/// it is the change of that distance along the direction.
 struct offset {
     double x, y;
     offset(const vector& of, const vector& ray)

@@ -114,9 +114,9 @@ private:
                4 * (a * b * bends_[0] + a * c * bends_[1] + b * c * bends_[2]);
     }
 
-    /// The level in a quad. Let h be the vector from corner a, U and V the sides, and T the twist.
-    /// Then h = s U + t V + s t T. So (h - t V) x (U + t T) = 0, which is a quadratic equation for
-    /// t.
+    /// The level in a quad. Let h be the vector from corner a to the place, U and V the sides, and
+    /// T the twist. Then h = s U + t V + s t T. So (h - t V) x (U + t T) = 0, which is a quadratic
+    /// equation for t.
     double in_quad(double x, double y) const {
         const direction h{x, y};
         const double squared = cross_of(twist_, along_v_);

@@ -150,7 +150,7 @@ public:
 private:
     static float length(const vector3& v) { return std::sqrt(safe_square(dot(v, v.data()))); }
 
-    /// A unit normal, and the ray from the eye to its place.
+    /// A unit normal of a surface, and the ray from the eye to the surface there.
     struct seen_normal {
         vector3 normal, look;
         float distance, against; ///< the ray's length, and its product with the normal
@@ -186,8 +186,8 @@ private:
                 light.color};
     }
 
-    /// The power of a cosine, by repeated squares, so that no library's approximation decides a
-    /// bit.
+    /// The power of a cosine, by repeated squares, so that results do not depend on a library's
+    /// approximation.
     static float whole_power(float base, int exponent) {
         float result = 1;
         for (;; base *= base) {

@@ -57,7 +57,8 @@ public:
 
     void step() { m_ += m_per_row_; }
 
-    /// An offset that makes columns positive, which begin at -2^15, so that truncation rounds down.
+    /// An offset that makes columns positive, so that truncation rounds down. Columns begin at
+    /// -2^15.
     static constexpr std::int32_t offset = 1 << 16;
 
 private:

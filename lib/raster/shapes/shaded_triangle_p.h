@@ -44,8 +44,8 @@ public:
                                          l3d_size size);
 
 private:
-    /// The left or right end of a row. `distance` is that of the edge from the nearest sample
-    /// inside.
+    /// The left or right end of a row. `distance` is the distance of the edge from the nearest
+    /// sample inside.
     struct end {
         std::int32_t column = 0;
         double distance = 0;

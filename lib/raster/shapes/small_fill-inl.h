@@ -63,8 +63,8 @@ template <class Lanes> struct edge_lanes {
     }
 };
 
-/// Fills the part of a box on the inner side of three edges. `colors` gives the words of its rows:
-/// after begin_block(column), next_row() gives those from this column on, row by row.
+/// Fills the part of a box on the inner side of three edges. `colors` gives the words: after
+/// begin_block(column), each call of next_row() gives those of the next row from this column on.
 /// Expects: the box lies in the picture.
 template <class Lanes, class Colors>
 HWY_INLINE void fill_box(const l3d_pixels& target, const small_box& box,

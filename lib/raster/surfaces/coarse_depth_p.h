@@ -56,8 +56,8 @@ public:
     void open_others(const fill_band& band);
 
     /// Whether known depths hide every shape in the box that is no nearer than `nearest`, a 1 / w.
-    /// Where the bounds of tiles do not decide, their depths are read.
-    /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
+    /// Where the bounds of tiles do not decide, the depths in the tiles are read.
+    /// Cost:    for a tile whose depths are read, one to eight cache lines.
     bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
     /// Whether the bounds of tiles alone prove that every such shape is hidden. No depth is read.

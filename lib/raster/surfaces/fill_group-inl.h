@@ -15,7 +15,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The limit of the product of a polygon's diagonals, in areas. Beyond it, the polygon is a sliver.
+/// The limit of the product of the lengths of a polygon's diagonals, relative to their cross
+/// product, which is twice the area. Beyond it, the polygon is a sliver.
 constexpr float sliver_ratio = 64;
 
 /// Fills a vector of polygons, one in each lane. set_up() turns their corners into rows of a table;

@@ -70,8 +70,7 @@ public:
     HWY_INLINE explicit fill_stream(const fill_target& target)
         : target_(target), queue_(target.queue) {}
 
-    /// Polygons side by side. `name` is the name of the first one; each next one's is larger by
-    /// `step`.
+    /// Polygons side by side. `name` is the name of the first one; names rise by `step`.
     struct row {
         const corner_arrays& corners;
         corner_places at;
@@ -205,8 +204,8 @@ private:
         queue_.material[to] = triangle.material;
     }
 
-    /// Fills the first polygons of the queue, `enough` of them, and moves the rest to its front.
-    /// The rest are fewer than the lanes of the widest vector.
+    /// Fills the first `enough` polygons of the queue, and moves the others to its front. The
+    /// others are fewer than the lanes of the widest vector.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
         find_seen(fill_queue::enough);

@@ -158,13 +158,13 @@ struct fill_queue {
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
     alignas(64) std::array<const void*, room> source; ///< the grid or the triangles that have it
-    alignas(64) std::int32_t seen[room]; ///< 0: hidden; tested when the polygon is to be filled
+    alignas(64) std::int32_t seen[room]; ///< 0: hidden; set when the polygon is to be filled
     /// As fill_words::of_material; set only with materials.
     alignas(64) std::uint32_t material[room];
     std::size_t count = 0;
 
-    /// The pieces of folded and skew quads. They are filled after all others. So the order of two
-    /// equally near polygons does not depend on how many waited together.
+    /// The pieces of folded and skew quads. They are filled after all other polygons. So the order
+    /// of two equally near polygons does not depend on how many polygons waited together.
     std::vector<fill_piece> pieces;
 
     /// The grey levels of the corners of a run of polygons, written and read a vector at a time.
@@ -184,7 +184,8 @@ struct fill_target {
     fill_words words{};
 };
 
-/// A grid and its material, and, for gouraud, the grey levels of its vertices from light_vertices.
+/// A grid and its material. For gouraud, it also has the grey levels of the vertices, from
+/// light_vertices.
 struct fill_grid {
     const l3d_micro_grid& vertices;
     const float* levels;

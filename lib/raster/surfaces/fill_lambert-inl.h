@@ -146,7 +146,7 @@ private:
                        hn::IfThenElse(triangle, of_triangle, of_quad));
     }
 
-    /// Sets up which side is seen, for polygons that show both sides.
+    /// Sets up which side of the surface is seen, for polygons whose normals point partly away.
     HWY_INLINE void face(hn::Mask<floats> mixed, const float_vec (&away)[4], const lane_places& at,
                          fill_table& table) {
         const floats d;

@@ -105,8 +105,8 @@ private:
                 hn::Neg(hn::Mul(four, side_bc_))};
     }
 
-    /// Notes a bound for the error of the parabola, compared with the levels of the same
-    /// parameters. Errors arise where a quad's picture is no parallelogram, and where w changes
+    /// Notes a bound for the error of the parabola, compared with the levels at the same
+    /// parameters. Errors arise if the quad is not a parallelogram in the picture, and if w changes
     /// over it.
     HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
                                fill_counts& counts) const {

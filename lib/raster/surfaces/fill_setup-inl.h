@@ -122,7 +122,7 @@ struct lane_edge {
 };
 
 /// A linear function over a polygon: base + first s + second t. s and t are whole numbers: the
-/// cross products of the way from corner a with the polygon's two differences (lane_frame).
+/// cross products of the vector from corner a with the polygon's two differences (lane_frame).
 struct lane_plane {
     float_vec base, first, second;
 

@@ -27,8 +27,8 @@ static_assert(run <= fill_least_width);
 alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                        8, 9, 10, 11, 12, 13, 14, 15};
 
-/// The limit of a polygon's extent in pixels, beyond which the lanes do not take it. So it has at
-/// most one more row and column.
+/// The limit of a polygon's extent in pixels, beyond which the lanes do not take it. A polygon
+/// within it has at most one more row and column.
 constexpr std::int32_t most_pixels = 64;
 
 /// Polygons are set up together, one in each lane of a vector.

@@ -185,7 +185,8 @@ struct quad_bends {
     float both() const { return 0.5f * (ab + dc + ad + bc); }
 };
 
-/// The same as cut_folded in mode l3d_shade::levels. Half of a diagonal has a quarter of its bend.
+/// The same as cut_folded, in mode l3d_shade::levels. The bend of half a diagonal is a quarter of
+/// the diagonal's bend.
 template <class Add>
 void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& turns,
                        const Add& add) {

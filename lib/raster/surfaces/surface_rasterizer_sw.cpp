@@ -64,7 +64,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     std::vector<normal_plane> normals;  ///< one of a band for each worker, or one of the picture
     std::vector<band_painter> painters; ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< depth of a band, if nobody wants it afterwards
-    l3d_depth_buffer kept_depth; ///< depth of a picture that anti-aliasing alone wants afterwards
+    l3d_depth_buffer kept_depth; ///< depth of a picture that only anti-aliasing wants afterwards
     std::vector<std::int64_t> covered; ///< in each band, if that is counted
     l3d_image picture;                 ///< gets the words that are not drawn into the target itself
     std::vector<const l3d_surface_part*> parts; ///< parts of all draws, for anti-aliasing

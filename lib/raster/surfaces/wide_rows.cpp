@@ -165,8 +165,8 @@ private:
         }
     };
 
-    /// Fills one vector of pixels from a column on. The row's last vector begins where it still
-    /// fits into the picture, and leaves out the pixels before that column.
+    /// Fills one vector of pixels from column x on. The row's last vector begins where it still
+    /// fits into the picture, and leaves out the pixels before x.
     HWY_INLINE std::int64_t fill_vector(const band_row& row, std::int32_t x) const {
         const D d;
         const int_tag di;

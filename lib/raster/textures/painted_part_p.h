@@ -45,10 +45,10 @@ struct picture_map {
     }
 };
 
-/// The same map in floats, around some parameters. Shape: u and v of the picture.
+/// The same map in floats, relative to some parameters. Shape: u and v of the picture.
 ///
-/// Cost: a float's rounding of parameters, which is 2^-24 of the patch. It counts only where a
-///       patch repeats a picture more often than pixels could show.
+/// Cost: floats round parameters by 2^-24 of the patch. It counts only where a patch repeats a
+///       picture more often than pixels could show.
 struct near_map {
     std::array<float, 2> at{}, along_u{}, along_v{}, along_both{};
 };
@@ -91,7 +91,7 @@ struct painted_parts {
     void add(painted_part of, std::span<const double> u, std::span<const double> v);
 
     /// Whether a name belongs to one of these parts.
-    /// Expects: triangles of models have no larger names.
+    /// Expects: all triangles of models have smaller names.
     bool has(std::uint32_t name) const { return !all.empty() && name >= all.front().first; }
 };
 

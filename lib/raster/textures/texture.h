@@ -110,8 +110,8 @@ struct L3D_PUBLIC l3d_painted_triangle {
 /// A model made of painted triangles, and its place in the picture.
 ///
 /// In each pixel, values between the corners are those on the triangle's exact plane, and so are
-/// their changes to the next pixels. Light is linear. It is the product of three lights: of the
-/// material's colour, of the colour interpolated between the corners, and of the texture.
+/// their changes to the next pixels. Light is linear. It is the product of three lights: that of
+/// the material's colour, of the colour interpolated between the corners, and of the texture.
 /// Lives:   borrows its arrays.
 struct L3D_PUBLIC l3d_painted_model {
     std::uint32_t first = 0;          ///< number of material that parts use for its first triangle

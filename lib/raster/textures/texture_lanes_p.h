@@ -15,7 +15,8 @@ namespace l3d_detail {
 
 /// The pixels of an l3d_texture in memory. Lives: borrows the texture.
 struct texture_view {
-    static constexpr std::size_t most_levels = 32; ///< halvings of any width or height, and one
+    /// As many as any width or height can be halved, and one more.
+    static constexpr std::size_t most_levels = 32;
     /// Each word has the roots of the light of red, green and blue, from the highest bit on. The
     /// largest numbers stand for the light of level 255. A border of one pixel around each picture
     /// shows what lies beyond it.
@@ -57,8 +58,8 @@ struct painted_pixels {
 
     /// Sets the part of a texture that a pixel covers.
     void set(std::size_t i, const l3d_texture& of, const l3d_texture_place& place) {
-        // A pixel that covers 2^33 pictures shows their mean. They have 2^60 pixels at most, whose
-        // square is a float.
+        // A pixel that covers 2^33 pictures shows their mean. So wide a part has 2^60 pixels at
+        // most, whose square is a float.
         const auto way = [](double w) {
             return static_cast<float>(std::clamp(w, -0x1p33, 0x1p33));
         };
@@ -103,7 +104,7 @@ void encode_light(const pixel_range& range, painted_pixels& pixels);
 /// The name of a pixel that shows no polygon.
 inline constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
-/// Pixels of a row, the names that they show, and where they are.
+/// Pixels of a row, the names of the polygons that they show, and their places.
 struct named_pixels {
     alignas(64) painted_pixels::row<std::uint32_t> names; ///< no_name behind the last pixel, too
     std::size_t count = 0;

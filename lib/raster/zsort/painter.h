@@ -23,8 +23,8 @@ struct l3d_painter_triangle {
     std::uint32_t material = 0; ///< index of the material with which it is painted
 };
 
-/// A cut of a triangle by another one's plane. It keeps the pixels in which the triangle is in
-/// front of the plane, or those behind.
+/// A cut of a triangle by the plane of another one. It keeps the pixels in which the triangle is in
+/// front of the plane, or the pixels in which it is behind.
 ///
 /// Two planes meet along a line in the picture, as 1/w of a plane is linear there. This line
 /// divides the pixels without gap and without overlap. No corners are made, so pieces keep the

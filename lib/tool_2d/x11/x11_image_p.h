@@ -125,7 +125,7 @@ private:
 };
 
 /// Makes an image whose pictures travel over the connection, in the display's own pixels.
-/// Shape:   `size` in pixel words; the window's own pixels are scale() times as many.
+/// Shape:   `size` in pixel words; the window's own size is scale() times as large.
 /// Errors:  std::bad_alloc.
 /// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size size);
