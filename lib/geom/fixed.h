@@ -178,7 +178,7 @@ public:
             return of_bits(static_cast<bits>(a.raw_) - static_cast<bits>(b.raw_));
         return of_wide(wide{a.raw_} - b.raw_);
     }
-    /// The number with the opposite sign. Errors: that of min() is out of range.
+    /// The number with the opposite sign. Errors: -min() is out of range.
     constexpr l3d_fixed operator-() const noexcept { return from_raw(0) - *this; }
 
     /// The product, rounded to nearest.

@@ -112,7 +112,8 @@ public:
         return result;
     }
 
-    /// Adds a b `times` times. Expects: the degrees of a and b add up to these.
+    /// Adds the product of a and b, multiplied by `times`. Expects: the degrees of a and b add up
+    /// to those of this net.
     void add(const scaled_net& a, const scaled_net& b, double times = 1) {
         // b's rows lie as far apart as those of the product. So one loop multiplies a coefficient
         // of a, or four neighbours in a row of a, with all of b.
@@ -175,7 +176,7 @@ inline scaled_vectors cross(const scaled_vectors& a, const scaled_vectors& b) {
     return result;
 }
 
-/// Adds a b `times` times.
+/// Adds the product of a and b, multiplied by `times`.
 inline void add(scaled_vectors& to, const scaled_net& a, const scaled_vectors& b,
                 double times = 1) {
     for (std::size_t k = 0; k < 3; ++k)

@@ -68,7 +68,7 @@ public:
     /// may buffer the requests until events are next asked for. The words may change after the
     /// call.
     /// Expects: is_free(). The picture has the size that this was made for. Outside of the part it
-    ///          is the same as in the put before. The part is not empty, and is the whole picture
+    ///          is the same as in the last put. The part is not empty, and is the whole picture
     ///          the first time.
     /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and
     ///          copies the rest.
