@@ -103,10 +103,11 @@ double l3d_forward_difference_error(int n, double p, double b1, double b2, doubl
     const double d1 = 3 * b1 / steps + 2 * d2;
     const double initial = p + steps * d1 + pairs * d2 + triples * d3;
     const double adding = steps * p + pairs * d1 + triples * d2;
-    // Differences of control values cancel: their rounding is relative to p. In units of u p the
+    // Differences of control values cancel: their rounding is relative to p. In units of u p, the
     // three differences err by at most 2, 8, 24. So c1, c2, c3 err by 18/n, 60/n^2, 48/n^3, and
     // their sum by 12/n + 24/n^2 + 8/n^3 more. d2 and d3 err by 120/n^2 and 336/n^3, their sum by
-    // 24/n^2 + 48/n^3 more. Times n, C(n, 2), C(n, 3) that is most for n = 1, where it is 170.
+    // 24/n^2 + 48/n^3 more. These errors, times n, C(n, 2), C(n, 3), are largest for n = 1, where
+    // they are 170.
     const double cancelling = 170 * l3d_real_traits<double>::unit_roundoff * p;
     return u * (initial + adding) + cancelling + half_ulp * (1 + steps + pairs + triples);
 }

@@ -273,7 +273,7 @@ struct L3D_PUBLIC l3d_pipe {
 };
 
 /// Makes a pipe along a curve: circles around it, each perpendicular to the curve. An exact pipe is
-/// no NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
+/// not a NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
 /// are cubic along the curve.
 ///
 /// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.

@@ -193,7 +193,7 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
 
 /// The reader of glTF 2.0.
 /// Errors:  as l3d_read_model, but the message names a place in the document, such as
-///          "accessors[3].count", and no line. If the text is no JSON, it names line and byte.
+///          "accessors[3].count", and no line. If the text is not JSON, it names line and byte.
 /// Cost:    as l3d_read_model; memory is counted for each byte of this text and of the other files.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
                                                        std::string& why,

@@ -302,9 +302,10 @@ bool obj_surfaces::end(const std::vector<vector>& vertices, const std::vector<do
     }
 }
 
-/// A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
-/// rational bicubic patch of 568 bytes. A text that asks for more names the same vertices again and
-/// again.
+/// Counts memory that the model takes. Fails if this is more than different vertices of the text
+/// could need. A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes
+/// at most a rational bicubic patch of 568 bytes. A text that asks for more names the same vertices
+/// again and again.
 bool obj_surfaces::takes(std::size_t bytes) {
     constexpr std::size_t most_per_byte = 48;
     patch_bytes_ += bytes;

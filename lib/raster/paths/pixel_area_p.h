@@ -30,7 +30,8 @@ public:
     /// Begins a pixel without edges.
     void begin() { blocks_.clear(), edges_ = {}; }
 
-    /// Adds the edges of a layer that reach the pixel: `last` of all records, and those before it.
+    /// Adds the edges of a layer that reach the pixel. Their records are a list in `all`: the one
+    /// with index `last`, its `before`, and so on.
     void add(const edge_record* all, std::uint32_t last, std::size_t layer);
 
     /// The area inside, from 0 to 1, of the pixel with this top left corner. `sums` are the

@@ -24,9 +24,9 @@
 namespace l3d_detail {
 namespace {
 
-/// Empties Xlib's buffer, which nobody will read. The first request of Xlib after one of XCB may
-/// find the server gone while it makes room for itself. Extensions of libX11 1.8 then write to a
-/// null pointer, as `a_server_may_die_between_two_libraries` shows.
+/// Makes room in Xlib's buffer, whose contents nobody will read. The first request of Xlib after
+/// one of XCB may find the server gone while Xlib makes room for the request. Extensions of libX11
+/// 1.8 then write to a null pointer, as `a_server_may_die_between_two_libraries` shows.
 /// Expects: Xlib has just called the handler of broken connections for this display.
 void make_x11_room(Display* display) {
     display->bufptr = display->buffer;

@@ -63,8 +63,8 @@ public:
     /// Asks for everything, and from then on hears of changes by itself.
     void ask();
 
-    /// Calls ask() if that was never done, or if the connection had no room. So a server that is
-    /// slow, or stopped, does not stop the program. To be called now and then.
+    /// Calls ask() if that was never done, or if the connection had no room. So a slow or stopped
+    /// server does not stop the program. Call it now and then.
     void look_after() {
         if (stage_ == stage::unwatched || is_due_)
             ask();
