@@ -118,8 +118,8 @@ struct band_cells::walk {
     std::uint32_t edges = 0; ///< the number of its edges there
     std::uint32_t ways = 0;  ///< the directions in which they run, as bits of `way`
 
-    /// Adds an edge's part in a pixel. `right` is the distance from its middle to the pixel's right
-    /// side.
+    /// Adds an edge's part in a pixel. `right` is the distance from the part's middle to the
+    /// pixel's right side.
     HWY_INLINE void put(cell& at, double x, double y, double end_x, double end_y, double right,
                         std::uint32_t edge) {
         const double height = y - end_y;

@@ -110,9 +110,9 @@ edge_sums place_in_lanes(const pixel_edges& edges, const l3d_point_2d& corner) {
     return {sum(own), sum(before)};
 }
 
-/// Each field has a lower bound of its winding numbers. An edge that lowers the winding number
-/// counts from the first field on that it may reach. One that raises it counts after the last field
-/// that it may reach.
+/// Finds a lower bound of the winding number in each field, by counting edges on its left. An edge
+/// that lowers the number on its right counts from the first field that it may reach. An edge that
+/// raises it counts only in fields right of the last that it may reach.
 ///
 /// The bounds of all fields are counted at once: word i has bit i of each field's counter.
 std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign) {

@@ -33,9 +33,9 @@ template <class List, class Less> void sort_few(List& of, const Less& less) {
 /// Units:   x in pixels from the picture's left side, y from 0 to 1 down the row; y0 <= y1.
 struct row_edge {
     double x0, y0, x1, y1;
-    std::int8_t direction; ///< 1 if the outline leads upwards, which adds 1 to the winding on the
-                           ///< right; else -1
-    std::uint8_t layer;    ///< 0: an edge of the filled path; 1: of its clip path
+    /// 1 if the outline leads upwards, which adds 1 to the winding on the right; else -1.
+    std::int8_t direction;
+    std::uint8_t layer; ///< 0: an edge of the filled path; 1: of its clip path
 };
 
 /// The winding numbers of a place: in the filled path, and in the path that clips it.
