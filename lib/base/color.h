@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cstdint>
 
-/// A colour, as the pixels of every picture hold it.
-/// Units:   0x00RRGGBB, encoded as sRGB. The highest byte is a transparency in pictures without
-///          background; see l3d_pixels.
+/// A colour in the form that the pixels of every picture have.
+/// Units:   0x00RRGGBB, encoded as sRGB. In pictures without background, the highest byte is a
+///          transparency; see l3d_pixels.
 using l3d_color = std::uint32_t;
 
 /// The colour with these levels of red, green and blue. Units: 0 to 255; others are clamped.

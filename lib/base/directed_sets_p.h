@@ -9,8 +9,8 @@
 
 namespace l3d_detail {
 
-/// Disjoint sets of lines, which are numbered from 0. Each line runs in its set's direction or
-/// backwards.
+/// Disjoint sets of lines, numbered from 0. Each line runs in its set's direction or backwards. A
+/// set's representative is one of its lines, and has the set's direction.
 class directed_sets {
 public:
     struct place {
@@ -31,7 +31,7 @@ public:
     /// Adds a line, in a set of its own.
     void add() { lines_.push_back({{lines_.size(), false}}); }
 
-    /// The line that stands for a line's set, and whether both run in opposite directions.
+    /// The representative of a line's set, and whether the line runs against it.
     /// Cost: logarithmic, as the smaller set always joins the larger one.
     place find(std::size_t line) const {
         place result{line, false};
@@ -42,7 +42,8 @@ public:
         return result;
     }
 
-    /// Unites the sets of two lines that run the same way, once each is turned as its place says.
+    /// Unites the sets of two lines. The lines then run the same way, each reversed if its
+    /// `is_backwards` is set.
     void join(const place& a, const place& b) {
         place root = find(a.line), other = find(b.line);
         const bool turns =
@@ -59,15 +60,15 @@ public:
         smaller.above = {root.line, turns};
     }
 
-    /// Whether some line was joined to itself the other way round, as on a Moebius band.
-    /// Expects: a line that stands for its set.
+    /// Whether some line was joined to itself in reverse, as on a Moebius band.
+    /// Expects: a representative.
     bool runs_both_ways(std::size_t line) const { return lines_[line].runs_both_ways; }
 
 private:
     struct member {
-        place above; ///< another line of the set; the one that stands for it has itself
+        place above; ///< a line closer to the representative, or the representative itself
         std::size_t size = 1;
-        bool runs_both_ways = false; ///< like size, valid for the line that stands for its set
+        bool runs_both_ways = false; ///< like size, valid for representatives only
     };
 
     std::vector<member> lines_;

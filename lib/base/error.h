@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// l3d_error: the exception of the library where a program cannot go on; never thrown while it
-// draws.
+// l3d_error: the library's exception for a program that cannot go on. It is never thrown while a
+// program draws.
 #ifndef L3D_BASE_ERROR_H
 #define L3D_BASE_ERROR_H
 

@@ -9,8 +9,8 @@
 
 namespace l3d_detail {
 
-/// The number of bytes of the UTF-8 character that a text begins with. It is 0 for a control
-/// character, and for bytes that are no UTF-8. Overlong forms are no UTF-8; those of control
+/// The number of bytes of the UTF-8 character at the beginning of a text. It is 0 for a control
+/// character, and for bytes that are not UTF-8. Overlong forms are not UTF-8; those of control
 /// characters begin with 0xC0, 0xE0 0x80 or 0xF0 0x80.
 /// Expects: the text is not empty.
 inline std::size_t printable_size(std::string_view text) {
@@ -29,7 +29,7 @@ inline std::size_t printable_size(std::string_view text) {
     return controls || overlong ? 0 : size;
 }
 
-/// Writes control characters and bytes that are no UTF-8 as \xNN. So the text cannot steer a
+/// Writes control characters and bytes that are not UTF-8 as \xNN. So the text cannot steer a
 /// terminal or begin a new line.
 inline std::string printable(std::string_view text) {
     constexpr std::string_view digits = "0123456789abcdef";

@@ -21,7 +21,7 @@ l3d_vector<T, N> l3d_lerp(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b, 
     return result;
 }
 
-/// The rounded midpoint of a and b; the same bits if a and b are exchanged.
+/// The rounded midpoint of a and b. Exchanging a and b does not change its bits.
 template <class T, int N>
 l3d_vector<T, N> l3d_midpoint_of(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b) {
     l3d_vector<T, N> result;
@@ -73,8 +73,8 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_curve {
     /// The same curve, run through from its end: t becomes 1 - t.
     l3d_bezier_curve reversed() const { return {{points[3], points[2], points[1], points[0]}}; }
 
-    /// The halves [0, 1/2] and [1/2, 1]. Reversing the curve reverses and exchanges the halves
-    /// bit for bit, because every value is a midpoint.
+    /// The halves [0, 1/2] and [1/2, 1]. The halves of the reversed curve are these halves,
+    /// reversed and exchanged, bit for bit, because every value is a midpoint.
     std::pair<l3d_bezier_curve, l3d_bezier_curve> split() const {
         const auto& p = points;
         const point a = l3d_midpoint_of<T, N>(p[0], p[1]);
@@ -198,8 +198,8 @@ template <class T, int N> l3d_vector<T, N - 1> l3d_projected(const l3d_vector<T,
     return result;
 }
 
-/// The derivatives by u and by v of the surface S in space that a rational patch stands for. With
-/// the weight w, (S w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
+/// The derivatives by u and by v of a rational patch as a surface S in space. With the weight w, (S
+/// w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
 /// Expects: the weight at (u, v) is not zero.
 template <class T, int N>
 std::pair<l3d_vector<T, N - 1>, l3d_vector<T, N - 1>>

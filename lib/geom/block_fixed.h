@@ -7,12 +7,12 @@
 #include <cmath>
 
 /// The number of fraction bits with which 32-bit integers hold the forward differences of cubics.
-/// Control values are at most `largest` in magnitude, and these bits leave them below 2^29.
+/// It leaves control values, of magnitude `largest` at most, below 2^29.
 ///
-/// Each difference in use is a sum of values with binomial weights. The first is a sum of two
-/// values, so it is below 2^30. The second is below 2^31. The third is only used after three steps.
-/// Then it is 6 / 27 of a third difference of control values, at most 6 / 27 * 8 * 2^29 < 2^30.
-/// Additions wrap around, so numbers beyond the range do no harm elsewhere.
+/// Differences are sums of values with binomial weights. The first difference is a sum of two
+/// values, so it is below 2^30, and the second is below 2^31. The third is only used after three
+/// steps or more. Then it is at most 6 / 27 of a third difference of control values,
+/// 6 / 27 * 8 * 2^29 < 2^30. Additions wrap around, so numbers out of range do no harm elsewhere.
 /// Expects: largest >= 0, finite.
 inline int l3d_block_fraction_bits(double largest) {
     constexpr int value_bits = 29;

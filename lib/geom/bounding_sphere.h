@@ -17,7 +17,7 @@ struct L3D_PUBLIC l3d_bounding_sphere {
     using vector = l3d_vector<double, 3>;
 
     vector centre{0.0}; ///< the middle of the vertices' bounding box
-    double radius = 0;  ///< to the farthest vertex
+    double radius = 0;  ///< distance from the centre to the farthest vertex
 
     /// The ball around some vertices; a point at the origin if there are none.
     /// Cost: linear. The radius is at most 1.74 times that of the smallest ball.

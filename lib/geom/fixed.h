@@ -31,11 +31,11 @@ using wide = std::conditional_t<(sizeof(Storage) < 8), std::int64_t, int128>;
 template <class Storage>
 using wide_unsigned = std::conditional_t<(sizeof(Storage) < 8), std::uint64_t, uint128>;
 
-/// Divides by 2^bits and rounds to nearest, ties to even. Expects: 0 < bits < width of Wide.
+/// Divides by 2^bits and rounds to the nearest, ties to even. Expects: 0 < bits < width of Wide.
 template <class Wide> constexpr Wide shifted_to_nearest(Wide value, int bits) noexcept {
     const Wide below = value >> bits;
     const Wide rest = value - below * (Wide{1} << bits);
-    // An odd quotient goes up at a tie, too. No term can overflow, unlike value + half.
+    // At a tie, an odd quotient is rounded up. Unlike value + half, no term can overflow.
     return below + Wide{rest + (below & 1) > (Wide{1} << (bits - 1))};
 }
 
@@ -51,7 +51,7 @@ template <class Wide> constexpr Wide divided_to_nearest(Wide dividend, Wide divi
     return (dividend < 0) == (divisor < 0) ? toward_zero + 1 : toward_zero - 1;
 }
 
-/// The end of the range that a value lies beyond. With trap, it stops the program instead.
+/// The end of the range beyond which a value lies. With trap, it stops the program instead.
 template <class Storage, l3d_overflow Overflow> constexpr Storage beyond(bool negative) noexcept {
     if constexpr (Overflow == l3d_overflow::trap)
         __builtin_trap();
@@ -178,7 +178,7 @@ public:
             return of_bits(static_cast<bits>(a.raw_) - static_cast<bits>(b.raw_));
         return of_wide(wide{a.raw_} - b.raw_);
     }
-    /// The number with the opposite sign. Errors: that of min() is out of range.
+    /// The number with the opposite sign. Errors: -min() is out of range.
     constexpr l3d_fixed operator-() const noexcept { return from_raw(0) - *this; }
 
     /// The product, rounded to nearest.

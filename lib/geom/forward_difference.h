@@ -82,8 +82,8 @@ private:
     static T twice(T value) { return value + value; }
 };
 
-/// A bound on the error of a cubic after at most n forward difference steps, in the control values'
-/// units.
+/// A bound of the error of a cubic after at most n steps by forward differences. Units: those of
+/// the control values.
 ///
 /// The control values are at most p in magnitude; their first, second and third differences are at
 /// most b1, b2, b3. Then the forward differences are at most D3 = 6 b3 / n^3, D2 = 6 b2 / n^2 + D3
@@ -103,10 +103,11 @@ double l3d_forward_difference_error(int n, double p, double b1, double b2, doubl
     const double d1 = 3 * b1 / steps + 2 * d2;
     const double initial = p + steps * d1 + pairs * d2 + triples * d3;
     const double adding = steps * p + pairs * d1 + triples * d2;
-    // Differences of control values cancel: their rounding is relative to p. In units of u p the
+    // Differences of control values cancel: their rounding is relative to p. In units of u p, the
     // three differences err by at most 2, 8, 24. So c1, c2, c3 err by 18/n, 60/n^2, 48/n^3, and
     // their sum by 12/n + 24/n^2 + 8/n^3 more. d2 and d3 err by 120/n^2 and 336/n^3, their sum by
-    // 24/n^2 + 48/n^3 more. Times n, C(n, 2), C(n, 3) that is most for n = 1, where it is 170.
+    // 24/n^2 + 48/n^3 more. These errors, times n, C(n, 2), C(n, 3), are largest for n = 1, where
+    // they are 170.
     const double cancelling = 170 * l3d_real_traits<double>::unit_roundoff * p;
     return u * (initial + adding) + cancelling + half_ulp * (1 + steps + pairs + triples);
 }
@@ -118,13 +119,12 @@ struct l3d_step_counts {
     std::int64_t doublings = 0; ///< doublings of the step
 };
 
-/// Walks a curve to its end. A step that would move a coordinate by more than a pixel is halved
-/// first. The step is doubled where the next one would move every coordinate by at most half a
-/// pixel.
+/// Walks along a curve to its end. It halves a step that would move a coordinate by more than a
+/// pixel. It doubles the step where the next step would move every coordinate by at most half a
+/// pixel, if steps of twice the length still end at the curve's end.
 ///
-/// It is doubled only where steps of twice the length still fall on the curve's end. The walk is
-/// exact if T is fixed point with g + 3 finest fraction bits, and control values are multiples of
-/// 2^-g.
+/// The walk is exact if T is fixed point with g + 3 finest fraction bits, and control values are
+/// multiples of 2^-g.
 /// Shape:   one polynomial for each coordinate, at its beginning, with a step of 2^-first. The
 ///          function calls visit(at, level, curve) there and after each step. The parameter is
 ///          at / 2^finest, and the last step was 2^-level.
@@ -167,8 +167,8 @@ l3d_step_counts l3d_walk_adaptively(std::array<l3d_forward_difference<T, 3>, Coo
     return counts;
 }
 
-/// A cubic Bezier polynomial with whole control values, for walks without rounding. Each doubling
-/// of the number of steps, by a split or in a walk, multiplies its values by 8. So every difference
+/// A cubic Bezier polynomial with whole control values, for walks without rounding. Whenever a
+/// split or a walk doubles the number of steps, it multiplies the values by 8. So every difference
 /// is a whole number.
 ///
 /// Units:   the true values are the stored ones divided by 8^level.

@@ -19,8 +19,8 @@ struct L3D_PUBLIC l3d_material {
     /// The sharpness of highlights: the exponent of their cosine, from 1 to most_sharpness.
     int sharpness = 32;
 
-    /// The opacity, from 0 for invisible to 1 for opaque. Since an instance is transparent as a
-    /// whole, l3d_patch_scene::add_by_opacity() makes one instance for each opacity.
+    /// The opacity, from 0 for invisible to 1 for opaque. An instance is transparent as a whole, so
+    /// l3d_patch_scene::add_by_opacity() makes one instance for each opacity.
     float opacity = 1;
 
     static constexpr int most_sharpness = 1000; ///< the largest sharpness, as in .mtl files

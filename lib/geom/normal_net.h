@@ -32,9 +32,9 @@ private:
 /// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
 ///
 /// Where an edge of the patch is collapsed, the cross product vanishes along it although the
-/// tangent plane exists. The net then holds the cross product divided by the vanishing factor, as
-/// often as needed: by u, 1 - u, v or 1 - v. It has the same direction inside, and the limit on the
-/// edge. A patch whose normal vanishes everywhere, as far as rounding can tell, has the net 0.
+/// tangent plane exists. The net then holds the cross product divided by the vanishing factor u,
+/// 1 - u, v or 1 - v, as often as needed. It has the same direction inside, and the limit on the
+/// edge. If the normal vanishes everywhere, as far as rounding can tell, the net is 0.
 ///
 /// Shape:  36 vectors, index 6 * row + column, columns along u.
 /// Units:  scaled so that the largest component is 1 (direction is all that counts).
@@ -46,9 +46,11 @@ public:
 
     l3d_normal_net() = default;
     explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
-    /// The net of these normals, divided in the same way.
+    /// Makes the net of given normals. Factors that vanish on an edge are divided out, as for a
+    /// patch.
     explicit l3d_normal_net(const l3d_normal_polynomial& normals);
-    /// Takes a net, and the same coefficients as floats. Expects: nothing to divide or to scale.
+    /// Takes a net, and the same coefficients as floats. Expects: a scaled net without such
+    /// factors.
     l3d_normal_net(const l3d_normal_polynomial& normals, const float (&in_floats)[3][6][6])
         : net_(normals) {
         std::copy_n(&in_floats[0][0][0], 3 * 6 * 6, &in_floats_[0][0][0]);

@@ -48,9 +48,9 @@ struct L3D_PUBLIC l3d_bspline_direction {
     /// Expects: points > degree >= 1.
     static l3d_bspline_direction clamped(int degree, std::size_t points);
 
-    /// Periodic, uniform knots for a closed curve, which is as smooth where it closes as elsewhere.
-    /// Its last `degree` control points must repeat its first ones; `points` counts both. The
-    /// parameter runs from 0 to 1.
+    /// Periodic, uniform knots for a closed curve, which is as smooth at its seam as elsewhere. Its
+    /// last `degree` control points must repeat its first ones; `points` counts both. The parameter
+    /// runs from 0 to 1.
     /// Expects: points >= 2 degree + 1, degree >= 1.
     static l3d_bspline_direction periodic(int degree, std::size_t points);
 };
@@ -58,8 +58,8 @@ struct L3D_PUBLIC l3d_bspline_direction {
 /// Divides a B-spline surface into Bezier patches, in order along u first, then v. They have the
 /// same points in space, up to rounding.
 ///
-/// Control points that are already Bezier points, by the multiplicity of their knots, stay as they
-/// are bit for bit. Neighbouring patches have the same points, bit for bit, on their boundary.
+/// Control points that are Bezier points already, as their knots have full multiplicity, keep their
+/// bits. Neighbouring patches have the same points, bit for bit, on their boundary.
 /// Shape:   points: u.points() * v.points(), u fastest; weights: as many, or none if all are 1.
 ///          Both directions have at least one segment.
 /// Expects: positive weights, degrees from 1 to l3d_bpt_largest_degree, directions as
@@ -133,8 +133,8 @@ public:
     ///         that go around twice, or both ways.
     l3d_nurbs_surface trimmed(std::span<const l3d_trim_loop> loops) const;
 
-    /// Moves a control point, and gives it a weight; others keep theirs, or get 1 if there were
-    /// none.
+    /// Moves a control point, and sets its weight. Other points keep their weights, or get 1 if
+    /// there were none.
     ///
     /// Expects: an index of points(), finite coordinates of magnitude at most 1e12, and a weight
     ///          from 1e-100 to 1e12.
@@ -273,7 +273,7 @@ struct L3D_PUBLIC l3d_pipe {
 };
 
 /// Makes a pipe along a curve: circles around it, each perpendicular to the curve. An exact pipe is
-/// no NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
+/// not a NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
 /// are cubic along the curve.
 ///
 /// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.

@@ -23,8 +23,9 @@ struct l3d_exact_part : l3d_patch_part {
     l3d_normal_polynomial normals;
 };
 
-/// Cuts a piece in half along u or along v, and returns its halves, the lower one first. Members
-/// other than net, range of parameters, depth and normals are copied.
+/// Cuts a piece in half along u or along v, and returns both halves, the lower one first. The
+/// halves get nets, ranges of parameters, depths and normals of their own; other members are
+/// copied.
 template <class Piece> std::array<Piece, 2> l3d_halves(const Piece& p, bool along_u) {
     std::array<Piece, 2> result{p, p};
     auto& [low, high] = result;

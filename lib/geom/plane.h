@@ -24,7 +24,7 @@ template <class T> struct L3D_PUBLIC l3d_plane_crossing {
 /// A plane with a front and a back: the points p with normal . p + d = 0. Points with a positive
 /// sum are in front.
 ///
-/// Units:   the normal is a unit vector, d the distance from the plane to the origin along it.
+/// Units:   the normal is a unit vector; d is the distance of the origin in front of the plane.
 template <class T> struct L3D_PUBLIC l3d_plane {
     /// A direction.
     using vector = l3d_vector<T, 3>;
@@ -99,8 +99,8 @@ double l3d_side_2d(const l3d_position<T>& p, const l3d_position<T>& a,
     }
 }
 
-/// The position p + t (q - p), on the way from p to q. Each coordinate stays between those of p and
-/// q.
+/// The position p + t (q - p), part of the way from p to q. Each coordinate stays between those of
+/// p and q.
 /// Expects: 0 <= t <= 1.
 template <class T>
 l3d_position<T> l3d_part_way(const l3d_position<T>& p, const l3d_position<T>& q,
@@ -144,9 +144,8 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
 /// So a plane that passes through corners leaves no slivers.
 /// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
 ///          the vertex where the edge between two vertices crosses the plane; its first argument is
-///          the one in front. If `cut` depends on these two vertices alone, both polygons at an
-///          edge get the same cut, without a crack. `kept` is emptied, and gets the corners in
-///          order.
+///          the one in front. If `cut` depends only on these two vertices, both polygons at an edge
+///          get the same cut, without a crack. `kept` is emptied, and gets the corners in order.
 /// Expects: at least one corner.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.

@@ -162,8 +162,8 @@ template <class T> l3d_position<T> l3d_in_picture(const l3d_coordinate<T>& verte
     return {vertex.transformed[0], vertex.transformed[1]};
 }
 
-/// The vertex where an edge was cut, `t` of the way between two others. A vertex type with values
-/// of its own overloads this function, to interpolate them, too.
+/// The vertex where an edge is cut, `t` of the way between two others. Vertex types with further
+/// values overload this function to interpolate these, too.
 template <class T>
 l3d_coordinate<T> l3d_cut_vertex(const l3d_coordinate<T>&, const l3d_coordinate<T>&,
                                  const l3d_crossing_2d<T>& crossing) {
@@ -178,11 +178,11 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
     return {least, {most[0], least[1]}, most, {least[0], most[1]}};
 }
 
-/// A convex polygon: geometry alone, without looks.
+/// A convex polygon: only its geometry, without looks.
 ///
-/// It knows indices, not vertices. The caller passes the vertices in each call. Another list, such
-/// as the next picture of a movement, gives the same polygon another form. There are two lists of
-/// indices: the definition, which stays, and the clipped one, which is drawn.
+/// It knows indices, not vertices; the caller passes the vertices in each call. With another list
+/// of vertices, such as the next picture of a movement, the polygon has another form. There are two
+/// lists of indices: the definition, which stays, and the clipped one, which is drawn.
 /// Expects: corners in clockwise order on the screen, where y is down. Anticlockwise polygons are
 ///          clipped and drawn as well, but cannot serve as a window.
 /// Lives:   a value; a copy is deep.

@@ -35,10 +35,10 @@ struct L3D_PUBLIC l3d_mesh_picture {
 ///
 /// The arrays are flat, since a million vectors of three indices would cost more for their headers
 /// and allocations than for their contents.
-/// Shape:   the normal of a face, (p1 - p0) x (p2 - p0), points outwards, whichever axes are meant.
-///          So its corners, seen from outside, run counterclockwise in right-handed axes and
-///          clockwise in left-handed ones. l3d_turn_left_handed goes from one to the other. Arrays
-///          said to be optional are empty or have the stated size.
+/// Shape:   the normal of a face, (p1 - p0) x (p2 - p0), points outwards in both kinds of axes. So
+///          its corners, seen from outside, run counterclockwise in right-handed axes and clockwise
+///          in left-handed ones. l3d_turn_left_handed changes right-handed axes to left-handed
+///          ones. Optional arrays are empty or have the stated size.
 /// Cost:    a face of n corners takes 4 n + 4 bytes, 4 more for a colour and 4 for a material; a
 ///          vertex takes 24. A closed mesh of triangles has half as many vertices as faces: 28
 ///          bytes per face.
@@ -156,9 +156,9 @@ enum class L3D_PUBLIC l3d_model_up {
     z, ///< as in 3D Studio's and Videoscape's
 };
 
-/// Turns a mesh from right-handed axes into left-handed ones with y up, so that it is no mirror
-/// image. y and z change places; if y is up already, z is negated instead. The corners of each face
-/// are reversed, so that its outside stays the outside.
+/// Turns a mesh from right-handed axes into left-handed ones with y up, so that it is not mirrored.
+/// y and z change places; if y is up already, z is negated instead. The corners of each face are
+/// reversed, so that its outside stays the outside.
 L3D_PUBLIC void l3d_turn_left_handed(l3d_polygon_mesh& mesh, l3d_model_up up = l3d_model_up::z);
 
 /// The sum of the areas of all faces. Expects: mesh.is_valid(). Units: world units squared.

@@ -15,8 +15,8 @@
 #endif
 
 // Every object file refers to the symbol of its own number type, and the library defines only one
-// of them: so objects for another number type do not link. The pointers have names of their own,
-// else the linker would keep one and drop the reference of the others.
+// of these symbols. So objects for another number type do not link. The pointers have different
+// names, since otherwise the linker would keep one and drop the references of the others.
 #if defined(L3D_REAL_FLOAT)
 /// The number type of this build. A program must be compiled with the same type as the library.
 using l3d_real = float;
@@ -37,10 +37,10 @@ L3D_PUBLIC extern const char l3d_built_with_fixed_real;
 /// The number type the library was built with: "float", "double" or "fixed".
 L3D_PUBLIC const char* l3d_real_name();
 
-/// The properties of a number type that algorithms need: conversions, and bounds of its rounding.
+/// The properties of a number type that algorithms need: conversions, and bounds of rounding.
 ///
-/// Units: an operation whose result is in range errs by at most unit_roundoff * |result| +
-///        half_ulp.
+/// Units: an operation errs by at most unit_roundoff * |result| + half_ulp, if the result is in
+///        range.
 template <class T> struct l3d_real_traits;
 
 /// The properties of floating point numbers, whose rounding is in proportion to the result.

@@ -51,7 +51,8 @@ l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
 bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near,
                  double far = std::numeric_limits<double>::infinity());
 
-/// A control net that keeps its depth range and its box once they are asked for.
+/// A control net that computes its depth range and its box when they are first asked for, and keeps
+/// them.
 /// Expects: its points do not change afterwards.
 class l3d_image_net : public l3d_image_patch {
 public:
@@ -93,15 +94,17 @@ std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 struct l3d_second_bounds {
     double uu = 0, uv = 0, vv = 0;
 
-    /// Error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. A folded quad is
-    /// drawn as four triangles around its centre. On each, s t differs from its linear interpolant
-    /// by at most 1/16. That multiplies the mixed difference, at most uv / (nu nv).
+    /// Error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. It also bounds a
+    /// folded quad, which is drawn as four triangles around its centre. On each of them, s t
+    /// differs from its linear interpolant by at most 1/16. The coefficient of s t is the mixed
+    /// difference, at most uv / (nu nv).
     double quad_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 16;
     }
 
-    /// Error of two triangles in place of the quad: the mixed difference counts with 1/4.
+    /// Error of two triangles in place of the quad. There, s t differs from its linear interpolant
+    /// by at most 1/4.
     double triangle_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 4;
@@ -121,7 +124,7 @@ l3d_mixed_bounds l3d_mixed_bounds_of(const l3d_image_patch& patch, const l3d_ima
 l3d_second_bounds l3d_second_bounds_of(const l3d_image_patch& patch, const l3d_image_box& visible,
                                        double w_low);
 
-/// The bound of a curve's second derivative as seen in the image: a chord over a step 1/n errs by
+/// The bound of a curve's second derivative as seen in the image. A chord over a step 1/n errs by
 /// at most result / (8 n^2).
 double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& visible,
                            double w_low);
@@ -138,16 +141,16 @@ double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_l
 l3d_second_bounds l3d_depth_bounds_of(const l3d_image_patch& patch);
 double l3d_depth_bound_of(const l3d_image_curve& curve);
 
-/// The factor that moves balanced vertices off a curve f, which is drawn in n >= 2 chords. Vertices
-/// between its ends are moved by this times h^2 f'', h = 1 / n, to the outer side. So chords err to
-/// both sides.
+/// How far balanced vertices lie off a curve f that is drawn in n >= 2 chords, in units of h^2 f''
+/// with h = 1 / n. Vertices between the curve's ends move to its outer side, so chords err to both
+/// sides.
 ///
-/// Let y be the factor. Where both ends of a chord are moved, it errs at s of its length by
+/// Let y be this number. Where both ends of a chord are moved, it errs at s of its length by
 ///     h^2 f'' ( s (1 - s) / 2 - y ),   from -y to 1/8 - y times h^2 f''.
-/// Where one end is not moved, as at the curve's ends, it errs by at most (1/2 - y)^2 / 2 times
-/// h^2 f''. (1/2 - y)^2 / 2 = y has the root (3 - sqrt 8) / 2: then neither error is larger than y.
-/// Where f'' changes along the chord, |f - Lf| is at most the sum of two weights times |f''| at
-/// both ends, and that sum is no larger.
+/// Where one end is not moved, as at the curve's ends, it errs by at most (1/2 - y)^2 / 2 times h^2
+/// f''. (1/2 - y)^2 / 2 = y has the root (3 - sqrt 8) / 2: then neither error is larger than y.
+/// Where f'' changes along the chord, |f - Lf| is at most a weighted sum of |f''| at both ends,
+/// whose weights add up to no more than y.
 inline constexpr double l3d_balance = 0.0857864376269049512;
 
 /// The chord error of a balanced curve in n steps is at most this times max |f''|. One step has no
@@ -156,10 +159,10 @@ constexpr double l3d_balanced_error(int n) {
     return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
 }
 
-/// The factor by which coordinates of balanced vertices may exceed the net's, in quarters of at
-/// least two steps. Vertices are moved by l3d_balance / 64 of second derivatives, along u and along
-/// v, and by both. These derivatives are at most 6 * 4 times the net's largest value. So it is
-/// 1.0322^2 < 1 + 1/15.
+/// By what factor coordinates of balanced vertices may exceed the net's, if each quarter of the
+/// patch has at least two steps. Then h is at most 1/8. Vertices move by at most l3d_balance / 64
+/// times second derivatives, along u and along v, and by both. These derivatives are at most 6 * 4
+/// times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
 inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 
 /// The curve f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.

@@ -37,8 +37,8 @@ class cage_edges {
 public:
     explicit cage_edges(const l3d_polygon_mesh& mesh) : mesh_(mesh) {}
 
-    /// The error message for a mesh that is no cage, with faces and vertices counted from 1; "" if
-    /// it is one.
+    /// The error message for a mesh that is not a cage, with faces and vertices counted from 1; ""
+    /// if it is a cage.
     std::string complaint() {
         for (std::size_t i = 0; i < mesh_.faces(); ++i) {
             const std::string what = add(static_cast<std::uint32_t>(i));
@@ -75,7 +75,8 @@ private:
         return "";
     }
 
-    /// Complains of a vertex whose faces make more than one fan: no edges join all of them.
+    /// Complains of a vertex whose faces make more than one fan, so that edges do not join all of
+    /// them.
     std::string complaint_of_fans() const {
         // A fan has as many edges as faces, or one edge more if it is open.
         std::vector<std::uint32_t> faces(mesh_.vertices.size());
@@ -263,8 +264,8 @@ struct cage_arrays {
     }
 };
 
-/// Tells how exact the patches are. `size` is the model's size, and `asked` the part of it below
-/// which the error was to stay.
+/// Tells how exact the patches are. `size` is the model's size, and `asked` the wanted error as a
+/// share of it.
 std::string exactness_of(const l3d_detail::subdivision_outcome& reached, double size,
                          double asked) {
     if (reached.caps == 0)

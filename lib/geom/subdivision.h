@@ -38,7 +38,7 @@ struct L3D_PUBLIC l3d_cage_tags {
     friend bool operator==(const l3d_cage_tags&, const l3d_cage_tags&) = default;
 };
 
-/// The treatment of the corners of boundaries: vertices that belong to one face alone.
+/// The treatment of the corners of boundaries: vertices that belong to only one face.
 enum class L3D_PUBLIC l3d_cage_boundary {
     as_tagged, ///< as the file's tags say; sharp if they say nothing
     corners,   ///< sharp

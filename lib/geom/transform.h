@@ -34,8 +34,8 @@ template <class T> struct L3D_PUBLIC l3d_point {
     /// The point that the vector leads to from the origin.
     explicit constexpr l3d_point(const vector& place) noexcept : from_origin(place) {}
 
-    /// The point with coordinates rounded to T. It has a name of its own, since a fixed point
-    /// number is never made implicitly.
+    /// The point with coordinates rounded to T. It is a named function, since fixed point numbers
+    /// are never made implicitly.
     static l3d_point of(double x, double y, double z) noexcept {
         return {l3d_from_double<T>(x), l3d_from_double<T>(y), l3d_from_double<T>(z)};
     }
@@ -120,9 +120,8 @@ template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexc
 
 } // namespace l3d_detail
 
-/// The map that turns about the x axis, y towards z. Let a thumb point along the axis: of the left
-/// hand if the axes are left-handed, else of the right hand. The map turns the way that hand's
-/// fingers bend.
+/// The map that turns about the x axis, y towards z. It follows the right-hand rule in right-handed
+/// axes, and the left-hand rule in left-handed ones.
 /// Units:   degrees.
 template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
     return l3d_detail::turning<T>(1, 2, degrees);
@@ -209,8 +208,8 @@ private:
         for (std::size_t i = column + 1; i < 4; ++i)
             if (std::abs(rows_[i][column]) > std::abs(rows_[pivot][column]))
                 pivot = i;
-        // Entries are at most 1 at first. They grow by at most 2 in each of three steps, each with
-        // some 2^-53 of rounding. So an entry below 2^-46 is nothing but rounding.
+        // Entries are at most 1 at first. In each of three steps, they at most double, with some
+        // 2^-53 of rounding. So an entry below 2^-46 may be nothing but rounding.
         if (!(std::abs(rows_[pivot][column]) > 0x1p-46)) {
             regular_ = false;
             return;
@@ -257,8 +256,8 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
 }
 
 /// Makes the axes of m, its first three columns, unit vectors at right angles. This undoes the
-/// rounding of long products of turns. The first axis keeps its direction, and the second its side
-/// of the first. Column 3, the origin, and row 3 stay.
+/// rounding of long products of turns. The first axis keeps its direction. The second stays in the
+/// plane of both. Column 3, the origin, and row 3 stay.
 ///
 /// Errors:  nothing if the axes lie in a plane, or so near to it that rounding decides.
 /// Cost:    in double for every T, then rounded.

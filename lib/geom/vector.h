@@ -57,7 +57,8 @@ template <class Wide, int N> constexpr Wide raw_length(const Wide (&raw)[N]) noe
     wide_unsigned squares = 0;
     for (const Wide number : raw) {
         const auto square = static_cast<wide_unsigned>(number * number);
-        // Only four times -2^(half - 1) leaves the range, half being half the bits of Wide.
+        // The sum overflows only for four components of -2^(half - 1), where half is half the bits
+        // of Wide. Their length is 2^half.
         if (__builtin_add_overflow(squares, square, &squares))
             return Wide{1} << (4 * sizeof(Wide));
     }

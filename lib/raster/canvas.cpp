@@ -7,8 +7,8 @@
 
 namespace {
 
-/// A canvas around memory. It ignores a font that cannot be read; l3d_font::of_system tells the
-/// reason.
+/// Makes a canvas around memory. A font that cannot be read is ignored; l3d_font::of_system tells
+/// the reason.
 template <class Memory> l3d_canvas around(const Memory& memory) {
     std::string why;
     return {std::make_unique<l3d_screen_memory>(memory),

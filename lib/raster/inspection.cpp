@@ -50,8 +50,8 @@ private:
         return pairs + std::min(t - 2 * pairs, 1.0);
     }
 
-    /// The integral within the stripes. A pair of stripes adds 1/2 where `first` rises, and 1 where
-    /// it stays. Besides, it adds 2 for each pair before it.
+    /// The integral within the stripes. Over a pair of stripes with k pairs before it, `first`
+    /// rises from k to k + 1 and then stays. So the pair adds 2 k + 1/2 + 1.
     static double second_within(double t) {
         const double pairs = std::floor(t / 2), rest = t - 2 * pairs, rising = std::min(rest, 1.0);
         return pairs * (pairs + 0.5) + pairs * rest + rising * rising / 2 + (rest - rising);

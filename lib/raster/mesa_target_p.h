@@ -27,8 +27,8 @@ public:
     /// Half the width of the viewport, in pixels; llvmpipe's largest viewport is 2^14 wide.
     static constexpr int reach = 8192;
 
-    /// The sources of a program. `attributes` are the names of its vertices' inputs, from location
-    /// 0 on.
+    /// The sources of a program. `attributes` are the names of the vertex shader's inputs, from
+    /// location 0 on.
     struct program_text {
         const char* vertex;
         const char* fragment;

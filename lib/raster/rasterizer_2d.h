@@ -265,10 +265,11 @@ public:
 
     /// Draws the lines and curves of a path one pixel wide, with hard edges.
     ///
-    /// Within the picture, the pixels form eight-connected runs. Each pixel's sample has a point of
-    /// the curve within 1/2 + 2^-20 in x and in y. Each point of the curve has such a sample within
-    /// 3/2 in x and in y. Pixels are drawn in the order of the curve, and those at the corner of a
-    /// right angle are left out. Clipping changes no pixel inside of the picture.
+    /// Within the picture, the pixels form eight-connected runs. From each pixel's sample, some
+    /// point of the curve is within 1/2 + 2^-20 in x and in y. From each point of the curve, some
+    /// sample of these is within 3/2 in x and in y. Pixels are drawn in the order of the curve, and
+    /// those at the corner of a right angle are left out. Clipping changes no pixel inside of the
+    /// picture.
     /// Cost:    some additions for each pixel, by adaptive forward differences.
     void draw_curves(const l3d_path& path, l3d_color color) { imp_.do_draw_curves(path, color); }
 

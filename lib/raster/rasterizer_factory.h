@@ -30,8 +30,7 @@ public:
     std::string describe() const { return do_describe(); }
 
     /// Makes a rasterizer that draws points, lines and polygons into these pixels; never null.
-    /// Errors:  l3d_error(no_backend), but not from a factory that serves every screen by
-    ///          processors alone.
+    /// Errors:  l3d_error(no_backend); none from a factory that uses only the processors.
     std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(l3d_pixels target) const {
         return do_create_2d(target);
     }

@@ -30,8 +30,9 @@ struct L3D_PUBLIC l3d_shading {
     /// already.
     std::array<float, 3> ray{0, 0, -1}, ray_right{}, ray_down{};
 
-    bool keep_unit_normals = false; ///< lambert: a unit normal in each pixel, even where a plane of
-                                    ///< light would do
+    /// Whether mode lambert finds a unit normal in each pixel, even where a plane of light would
+    /// do.
+    bool keep_unit_normals = false;
 
     /// Whether pixels at edges show the mean light over their squares. Light is linear: levels are
     /// decoded by the sRGB curve, and the mean is encoded again. A rasterizer that cannot do it
@@ -81,8 +82,8 @@ struct L3D_PUBLIC l3d_shading {
     /// part's material is the index of its patch.
     l3d_inspection inspection{};
     const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
-    const l3d_own_shade* own = nullptr; ///< function of l3d_shade::own; borrowed until the frame's
-                                        ///< finish
+    /// Function of l3d_shade::own; borrowed until the frame's finish.
+    const l3d_own_shade* own = nullptr;
 
     /// Triangles that have colours of their own; borrowed until the frame's finish. Parts refer to
     /// them by numbers of materials.
@@ -120,7 +121,7 @@ inline constexpr double l3d_most_normal_error = 1.0 / 256;
 struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles handed in
     /// Pixel centres tested against the depth buffer. Blocks that are found hidden as a whole are
-    /// not tested. Their number depends on how the work was divided, but not on the number of
+    /// not tested. So the number depends on how the work was divided, but not on the number of
     /// threads.
     std::int64_t samples = 0;
     std::int64_t written = 0; ///< tested pixels that were nearer than the depth there
@@ -148,16 +149,16 @@ struct L3D_PUBLIC l3d_surface_counts {
         unsolved += other.unsolved;
     }
 
-    /// The largest error of levels in mode `levels`, compared with those that the corners' levels
-    /// and bends give for the same parameters.
+    /// The largest error of levels in mode `levels`, compared with the levels that the corners'
+    /// levels and bends give for the same parameters.
     /// Units: levels; at most l3d_most_level_error.
     double level_error = 0;
-    /// The largest error of normals in lit frames, compared with those that the corners' normals
-    /// give for the same parameters. A quarter of the corners' deviation from one plane is not
-    /// included. At most l3d_most_normal_error.
+    /// The largest error of normals in lit frames, compared with the normals that the corners'
+    /// normals give for the same parameters. It is at most l3d_most_normal_error. It leaves out a
+    /// quarter of the corners' deviation from one plane.
     double normal_error = 0;
     /// Tested pixels whose exact place on their patch was not found, in shades that inspect a
-    /// surface. They show the values interpolated between the drawn vertices.
+    /// surface. They show values interpolated between the drawn vertices.
     std::int64_t unsolved = 0;
     std::int64_t unproven_levels =
         0; ///< polygons whose errors exceed these limits, counted at each set-up
@@ -250,8 +251,8 @@ public:
     /// Lives:   with anti-aliasing, borrows the parts until finish.
     void draw(std::span<const l3d_surface_part* const> parts) { do_draw(parts); }
 
-    /// Whether anything in a box, no nearer than `nearest_inv_w`, would change no pixel, since
-    /// earlier calls of draw in this frame hide it. False when in doubt.
+    /// Whether earlier calls of draw in this frame hide everything in a box that is no nearer than
+    /// `nearest_inv_w`. False when in doubt.
     ///
     /// Cost:    some nanoseconds for each 16 x 8 pixels of the box. Any number of threads may ask
     ///          while none draws.

@@ -11,9 +11,9 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The thickness below which a polygon counts as a slit, whose change of depth says nothing about
-/// the surface. So over this length, the surface's depth is taken to change by at most the slit's
-/// whole range. Units: pixels.
+/// The thickness below which a polygon counts as a slit, whose slope says nothing about the
+/// surface. So slopes are limited: over this length, depth changes by at most the polygon's whole
+/// range. Units: pixels.
 constexpr double thinnest = 0.25;
 
 /// The rounding of 1 / w. The division, the scale, the means of corners and the pixel's own value
@@ -126,9 +126,9 @@ void l3d_two_layer_depths::put(pixel& into, const fragment& f, int x, int y) con
         into.second = f;
 }
 
-/// Whether two fragments may be one sheet that covers a pixel twice. Quads of one patch count as
-/// two sheets. They meet where the patch cuts itself, and hardly ever along the sides of its
-/// pieces.
+/// Whether two fragments may belong to one sheet that covers a pixel twice. Quads of the same patch
+/// count as two sheets, since they meet where the patch cuts itself, and hardly ever along the
+/// sides of its pieces.
 bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
     const std::uint32_t of_a = a.owner / kinds, of_b = b.owner / kinds;
     const std::uint32_t in_a = a.owner % kinds, in_b = b.owner % kinds;
@@ -140,9 +140,9 @@ bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
 /// The distance between two sheets at a pixel, in pixels.
 ///
 /// The sheets' planes are 1 / w = c + along_x x + along_y y, with x and y from the picture's
-/// centre. In space that is f along_x X + f along_y Y + c Z = 1. So a pixel's distance along the
-/// normal changes 1 / w by |(along_x, along_y, c / f)|. A pixel in the picture changes the
-/// difference of both depths by the difference of the planes' slopes. In a parallel projection,
+/// centre. In space, such a plane is f along_x X + f along_y Y + c Z = 1. So a pixel's distance
+/// along the normal changes 1 / w by |(along_x, along_y, c / f)|. A pixel in the picture changes
+/// the difference of both depths by the difference of the planes' slopes. In a parallel projection,
 /// depth_by_pixel takes the place of c / f.
 float l3d_two_layer_depths::gap_between(const fragment& front, const fragment& other, int x,
                                         int y) const {

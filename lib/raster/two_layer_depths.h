@@ -47,8 +47,8 @@ public:
     /// 1 / w of the nearest sheet, and 0 where there is none. Units: as l3d_micro_vertex.
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
-    /// The least error of surfaces, in the picture or along their normals, by which another sheet
-    /// may be the nearest one at this pixel.
+    /// The least error of surfaces, in the picture or along their normals, with which another sheet
+    /// could be the nearest one at this pixel.
     /// Units: pixels; infinite if there is only one sheet.
     float gap(int x, int y) const { return at(x, y).gap; }
 
@@ -59,8 +59,8 @@ private:
     /// A sheet at the centre of a pixel.
     struct fragment {
         float inv_w = 0, along_x = 0, along_y = 0; ///< inv_w, and its change to the next pixels
-        std::uint32_t owner = 0; ///< kinds times the patch's index in patches_, plus the polygon's
-                                 ///< kind
+        /// Kinds times the patch's index in patches_, plus the polygon's kind.
+        std::uint32_t owner = 0;
     };
     struct pixel {
         fragment front, second;

@@ -16,9 +16,10 @@ namespace l3d_detail {
 void check_image_size(const std::string& path, std::int64_t width, std::int64_t height,
                       std::int64_t most_pixels);
 
-/// Begins to decode with a reader that works in steps: reads the header, checks the size, starts.
+/// Takes the first steps with a reader: reads the header, checks the size, and starts to decode.
 /// Returns a function that checks the results of further steps. Reader and path must outlive it.
-/// Errors:  l3d_error(bad_input) that names the path and the reason, also from that check.
+/// Errors:  l3d_error(bad_input) that names the path and the reason, also from the returned
+///          function.
 template <class Reader>
 auto begun(Reader& reader, const std::string& path, std::int64_t most_pixels) {
     const auto must = [&reader, &path](bool is_done) {
@@ -31,9 +32,9 @@ auto begun(Reader& reader, const std::string& path, std::int64_t most_pixels) {
     return must;
 }
 
-/// The picture of a JPEG file's bytes, grey or in colour, as l3d_read_image gives it.
-/// Errors:  l3d_error(bad_input) that names the path and the reason, also for what the decoder only
-///          warns of: bytes that are missing or damaged.
+/// The picture in the bytes of a JPEG file, grey or in colour, as l3d_read_image gives it.
+/// Errors:  l3d_error(bad_input) that names the path and the reason. The decoder's warnings of
+///          missing or damaged bytes are errors, too.
 l3d_image decoded_jpeg(const std::string& bytes, const std::string& path, std::int64_t most_pixels);
 
 } // namespace l3d_detail

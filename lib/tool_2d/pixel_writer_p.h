@@ -18,7 +18,7 @@ namespace l3d_detail {
 /// pixel.
 ///
 /// Each word is shown as a square of scale x scale native pixels. The native picture may end within
-/// a square: along a side, ceil(native / scale) words make it.
+/// a square, so a side has ceil(native / scale) words.
 ///
 /// With a palette, and with masks of fewer than eight bits, colours between two levels are mixed
 /// from both by an ordered dither. The pattern stays where it is while the picture moves:
@@ -42,13 +42,13 @@ public:
 
     int scale() const { return scale_; }
 
-    /// Writes one native row that shows row y of a picture. All rows that show y are equal. The row
-    /// may begin at the left end of a part that writable_part has widened.
+    /// Writes one native row that shows row y of a picture; there are `scale` such rows, all equal.
+    /// The row may begin at the left end of a part that writable_part has widened.
     /// Shape:   native_width pixels; words.size() is native_width / scale, rounded up.
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,
                    std::uint8_t* bytes) const;
 
-    /// The part, widened to whole columns of the dither's 8 x 8 squares, within the picture.
+    /// Widens a part, within the picture, to whole columns of the dither's 8 x 8 squares.
     static l3d_pixel_box writable_part(const l3d_pixel_box& part, l3d_size size);
 
     /// The native pixels that show a part.

@@ -67,7 +67,7 @@ public:
             do_show(inside);
     }
 
-    /// Whether the last picture shown has yet to get to the display. Another one would only take
+    /// Whether the last picture shown has not reached the display yet. Another one would only take
     /// its place.
     bool is_busy() const { return do_is_busy(); }
 
@@ -95,12 +95,12 @@ public:
     /// these parts are sent first, and exactly.
     void set_text(std::vector<l3d_pixel_box> boxes) { do_set_text(std::move(boxes)); }
 
-    /// Chooses which motion of the pointer is told; at first `dragged`. A screen that is no window
-    /// has no pointer.
+    /// Chooses which motion of the pointer makes events; at first `dragged`. A screen that is not a
+    /// window has no pointer.
     void set_pointer(l3d_pointer how) { do_set_pointer(how); }
 
     /// Makes the window cover the whole display, or gives it its old place back. A screen that is
-    /// no window stays as it is.
+    /// not a window stays as it is.
     void set_fullscreen(bool on) { do_set_fullscreen(on); }
     /// Whether the window covers the whole display.
     bool is_fullscreen() const { return do_is_fullscreen(); }
@@ -108,8 +108,7 @@ public:
     /// One line for --verbose and --diagnose: kind, depth, bits per pixel, byte order.
     std::string describe() const { return do_describe(); }
 
-    /// One line for the user about a change for the worse since the last call; empty if there was
-    /// none.
+    /// One line for the user if something has become worse since the last call; else empty.
     std::string take_remark() { return do_take_remark(); }
 
 private:
@@ -146,11 +145,11 @@ struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< title of the window, in UTF-8
     std::string name = "l3d";  ///< name of the program, for window managers and their rules
-    /// The side of the square of display pixels that shows a pixel of the picture. With 0 it is
-    /// one. The picture then exceeds `size` by the factor by which the display is finer than 96
+    /// The side, in display pixels, of the square that shows a pixel of the picture. 0 stands for
+    /// 1, with a picture larger than `size` by the factor by which the display is finer than 96
     /// dots an inch.
     int scale = 0;
-    /// How pictures travel to a display. Screens that are no windows ignore it.
+    /// How pictures travel to a display. Screens that are not windows ignore it.
     l3d_remote remote = l3d_remote::automatic;
 };
 

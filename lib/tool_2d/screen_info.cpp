@@ -33,7 +33,8 @@ table bits_of(l3d_channel channel) {
     return bits;
 }
 
-/// The nearest level of each value, times the distance in the palette from a level to the next.
+/// For each channel value, the place of its nearest level among the palette's pixels: the level
+/// times the distance between neighbouring levels there.
 table places_of(int levels, int distance) {
     table places{};
     for (int value = 0, level = 0; value < 256; ++value) {

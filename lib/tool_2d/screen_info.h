@@ -59,14 +59,14 @@ struct L3D_PUBLIC l3d_channel {
 ///
 /// Shape:   pixels[(r * green + g) * blue + b] shows level r of `red` levels, g of `green`, b of
 ///          `blue`; on a ramp, `red` counts the grays, and the others are 1.
-/// Expects: 2 to 256 levels in each channel, or in `red` alone on a ramp.
+/// Expects: 2 to 256 levels in each channel, or only in `red` on a ramp.
 struct L3D_PUBLIC l3d_palette {
     int red = 0;                       ///< levels of red, or of gray on a ramp
     int green = 0;                     ///< levels of green; 1 on a ramp
     int blue = 0;                      ///< levels of blue; 1 on a ramp
     std::vector<std::uint32_t> pixels; ///< empty: there is no palette, and masks are used
-    /// The largest difference, in any channel and 0..255, between the colour that a pixel shows and
-    /// its level's value. It is not 0 where the display's map had no room for exact colours.
+    /// The largest difference, in any channel and in 255ths, between the colour that a pixel shows
+    /// and its level's value. It is not 0 if the display's map had no room for exact colours.
     int deviation = 0;
 
     /// Whether the palette has grays only.
@@ -161,7 +161,7 @@ public:
         return palette_.pixels[sum_of_tables(palette_.is_ramp() ? gray_of(word) << 16 : word)];
     }
 
-    /// Converts as to_display does, for callers that have found out once that there is no palette.
+    /// Converts as to_display does, without looking for a palette.
     /// Expects: no palette.
     std::uint32_t by_masks(std::uint32_t word) const { return sum_of_tables(word) | opaque_bits_; }
 

@@ -28,8 +28,7 @@ struct L3D_PUBLIC l3d_packed_pixels {
 
 /// A screen that only has pixels in memory. It has no events, and wait returns at once.
 ///
-/// Shape:   its own rows are longer than the picture, so that nobody comes to rely on stride ==
-///          width.
+/// Shape:   its own rows are longer than the picture, so that nobody relies on stride == width.
 class L3D_PUBLIC l3d_screen_memory final : public l3d_screen {
 public:
     /// A screen of this size. Expects: width and height at least 1.

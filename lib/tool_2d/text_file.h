@@ -5,9 +5,9 @@
 
 #include <string>
 
-/// Reads a whole file for all readers of formats, and limits its size and the wait, so that no
-/// reader hangs or grows without end. A file may have 4 GB, a pipe or a device 256 MB. If nobody
-/// has opened a pipe to write, it is given up after two seconds.
+/// Reads a whole file for all readers of formats. Limits of size and time keep readers from hanging
+/// or growing without end. A file may have 4 GB, a pipe or a device 256 MB. If nobody opens the
+/// other end of a pipe within two seconds, it is given up.
 /// Errors: l3d_error(bad_input) that names the path, and the system's reason or the limit.
 std::string l3d_read_text_file(const std::string& path);
 

@@ -35,8 +35,7 @@ bool is_whole(std::string_view text, bool is_iges) {
     return last.size() > column && last[column] == 'T';
 }
 
-/// Takes records of four numbers apart, into points and weights. There are no weights if all are
-/// alike.
+/// Splits records of four numbers into points and weights. Weights are left out if all are equal.
 struct weighted_points {
     std::vector<vector> points;
     std::vector<double> weights;
@@ -54,7 +53,7 @@ struct weighted_points {
 /// A clamped direction of these knots.
 l3d_bspline_direction direction(std::uint64_t degree, std::vector<double> knots) {
     l3d_bspline_direction result;
-    // A degree that is no degree of ours is refused by the surface or curve.
+    // The surface or curve refuses degrees that are out of range.
     result.degree = static_cast<int>(std::min<std::uint64_t>(degree, 1000));
     result.knots = std::move(knots);
     if (!result.knots.empty()) {
@@ -64,14 +63,14 @@ l3d_bspline_direction direction(std::uint64_t degree, std::vector<double> knots)
     return result;
 }
 
-/// Whether the trims leave nothing of a piece (l3d_trims_in).
+/// Whether trimming leaves nothing of a piece. Its trims are then a single point (l3d_trims_in).
 bool is_outside(const l3d_patch_points& piece) {
     return piece.trims.size() == 1 && piece.trims[0].size() == 1 &&
            piece.trims[0][0].points.size() == 2 &&
            piece.trims[0][0].points[0] == piece.trims[0][0].points[1];
 }
 
-/// Makes a model of records.
+/// Makes a model from records.
 class builder {
 public:
     explicit builder(std::string name) : name_(std::move(name)) {}
@@ -89,7 +88,8 @@ public:
     l3d_model_file finish() {
         if (left_out_ > 0)
             note(std::to_string(left_out_) + " more notes are left out");
-        // Shapes of one place each share nothing, and a model without them is plainer.
+        // If each shape stands at only one place, shapes share nothing. A model without shapes is
+        // then plainer.
         if (model_.placements.size() <= model_.shapes.size())
             return l3d_flattened(model_);
         return std::move(model_);

@@ -38,7 +38,7 @@ enum class cad_record : std::uint64_t {
     effort,   ///< seconds, bytes: time and memory of reading; follows `end`
     note,     ///< text: about something left out or changed
     material, ///< colour 0xRRGGBB, opacity: for faces and curves that follow
-    of_place, ///< the faces and curves that follow take the material of their shape's place
+    of_place, ///< the faces and curves that follow take the material of the place of their shape
     shape,    ///< the faces and curves that follow are a shape; shapes count from 0
     /// Shape, name, material as above, and three rows of a 3 by 4 matrix: a place where it stands.
     place,

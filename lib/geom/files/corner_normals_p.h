@@ -53,8 +53,9 @@ private:
     /// The entry of a face whose groups the file does not give.
     static constexpr std::uint64_t unsaid = ~std::uint64_t{0};
 
-    // said_by() returns the index of a normal, less than `none`; or groups that are `numbered`; or
-    // groups as bits, with `grouped`; or `unsaid`; or `flat`. A vertex without a corner is `free`.
+    // Values of said_by(): the index of a normal, less than `none`; groups as bits, with `grouped`;
+    // the number of a group, with `numbered`; `unsaid`; or `flat`. `free` marks a vertex without a
+    // corner.
     static constexpr std::uint64_t grouped = numbered >> 1, free = unsaid - 1, flat = unsaid - 2;
 
     struct faces_around;

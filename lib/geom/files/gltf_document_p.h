@@ -38,7 +38,7 @@ public:
     gltf_value(const json& value, std::string place) : value_(&value), place_(std::move(place)) {}
 
     bool has(const char* name) const { return value_->is_object() && value_->contains(name); }
-    /// A member of this object. Errors: it is missing, or this is no object.
+    /// A member of this object. Errors: the member is missing, or this is not an object.
     gltf_value at(const char* name) const;
     /// An element of an array member. Errors: it is missing.
     gltf_value element(const char* name, std::size_t index) const;
@@ -65,8 +65,8 @@ private:
     std::string place_;
 };
 
-/// The numbers of an accessor as doubles. Normalized ones are scaled to -1 to 1, or 0 to 1 if
-/// unsigned.
+/// The numbers of an accessor as doubles. Normalized numbers are scaled to -1 to 1, or to 0 to 1 if
+/// they are unsigned.
 struct gltf_numbers {
     std::size_t count = 0;      ///< the number of elements
     std::size_t components = 1; ///< components of an element

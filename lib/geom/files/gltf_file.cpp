@@ -46,7 +46,8 @@ public:
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
           materials_(document, model, name_, files) {}
 
-    /// Call it before buffers are read: other versions define them in other ways.
+    /// Checks the version. Call this before buffers are read, since other versions define them
+    /// differently.
     void check_version() {
         const std::string version = root_.at("asset").at("version").text();
         if (!version.starts_with("2."))
@@ -176,7 +177,7 @@ private:
         return result;
     }
 
-    /// Reads the nodes of the scene; without a scene, all nodes that are no node's children.
+    /// Reads the nodes of the scene. Without a scene, it reads all nodes that have no parent.
     void read_scene() {
         struct pending {
             std::size_t node;

@@ -53,12 +53,12 @@ public:
     /// Errors:  gltf_error; but a faulty picture becomes a note.
     void read();
 
-    /// The n of the picture places TEXCOORD_n by which a material's picture is laid.
+    /// The n of the attribute TEXCOORD_n, which places a material's picture.
     /// Expects: read() was called.
     std::uint64_t set_of_places(std::size_t material) const { return sets_[material]; }
 
 private:
-    /// A picture's index in the mesh, and the n of its picture places TEXCOORD_n.
+    /// A picture's index in the mesh, and the n of the attribute TEXCOORD_n that places it.
     struct picture_use {
         int place = l3d_material::no_picture;
         std::uint64_t set = 0;

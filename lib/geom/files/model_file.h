@@ -86,7 +86,7 @@ struct L3D_PUBLIC l3d_patch_error {
     friend bool operator==(const l3d_patch_error&, const l3d_patch_error&) = default;
 };
 
-/// Where the patches and curves of a shape begin. It ends where the next shape begins.
+/// The beginning of a shape's patches and curves. A shape ends where the next one begins.
 struct L3D_PUBLIC l3d_model_shape {
     std::uint32_t first_patch = 0; ///< index in l3d_model_file::patches
     std::uint32_t first_curve = 0; ///< index in l3d_model_file::curves
@@ -99,8 +99,7 @@ inline constexpr std::uint32_t l3d_material_of_place = 0xffffffff;
 
 /// A shape at a place, such as one of the bolts of an assembly.
 struct L3D_PUBLIC l3d_model_placement {
-    std::string name;                                  ///< the name of the part that the shape is
-                                                       ///< there
+    std::string name;                                  ///< name of the part that stands here
     std::uint32_t shape = 0;                           ///< index in l3d_model_file::shapes
     l3d_matrix<double> place = l3d_identity<double>(); ///< from the shape's coordinates; affine
     std::uint32_t material = 0; ///< replaces l3d_material_of_place in the shape
@@ -117,7 +116,7 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<std::uint32_t> patch_materials{};
     std::vector<l3d_material_file> material_files{}; ///< files with looks of the mesh's materials
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
-    /// The rectangle of x and y that programs in two dimensions show: `w` of .obj.
+    /// The rectangle of x and y that two-dimensional programs show: `w` of .obj.
     std::optional<l3d_model_window> window{};
     /// The part of the picture that the window fills: `s` of .obj.
     /// Units: shares of the picture, from the left and from below.
@@ -134,7 +133,7 @@ struct L3D_PUBLIC l3d_model_file {
     /// Optional: groups of the patches and curves, in their order. Then `placements` say where each
     /// group stands, and patch_parts is empty. l3d_flattened makes copies instead.
     std::vector<l3d_model_shape> shapes{};
-    /// The places of the shapes, at least one for each. A shape is seen at these places alone.
+    /// The places of the shapes, at least one for each. A shape is seen only at these places.
     std::vector<l3d_model_placement> placements{};
 
     friend bool operator==(const l3d_model_file&, const l3d_model_file&) = default;
@@ -194,7 +193,7 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
 
 /// The reader of glTF 2.0.
 /// Errors:  as l3d_read_model, but the message names a place in the document, such as
-///          "accessors[3].count", and no line. If the text is no JSON, it names line and byte.
+///          "accessors[3].count", and no line. If the text is not JSON, it names line and byte.
 /// Cost:    as l3d_read_model; memory is counted for each byte of this text and of the other files.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
                                                        std::string& why,
@@ -212,8 +211,8 @@ struct L3D_PUBLIC l3d_named_material {
 };
 
 /// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d, Tr and map_Kd. Lines that cannot be
-/// read are skipped, with a note "name:line: what" for each of the first 20: no model is lost for a
-/// colour.
+/// read are skipped, since no model should be lost for a colour. The first 20 of them get a note
+/// "name:line: what".
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 
@@ -228,8 +227,8 @@ L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
-/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, without colours
-/// of faces, looks of materials, pictures, cameras and notes, which are left out.
+/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, except for
+/// colours of faces, looks of materials, pictures, cameras and notes, which are left out.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
 ///          to l3d_bpt_largest_degree. Names have no ends of lines, and no blanks at their ends;
@@ -239,7 +238,7 @@ L3D_PUBLIC std::string l3d_write_obj(const l3d_model_file& model);
 /// Reads the surfaces of an .obj file with their own knots and control points, for programs that
 /// change these. l3d_read_obj gives their Bezier patches, which are pieces() of these surfaces in
 /// their order.
-///
+/// Errors: as l3d_read_obj. A file may have no surfaces.
 /// Errors: as l3d_read_obj. A file without surfaces is no error.
 /// Cost:   as l3d_read_obj, and the memory of the surfaces.
 L3D_PUBLIC std::optional<std::vector<l3d_nurbs_surface>>

@@ -153,12 +153,12 @@ inline void append_color(std::string& text, std::uint32_t word) {
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 
-/// Collects coordinates that are not finite, or beyond 1e12. Programs write such coordinates for
-/// vertices that no face uses; these vertices become the origin.
+/// Collects coordinates that are not finite, or beyond 1e12. Some programs write them for vertices
+/// that no face uses. Such vertices are moved to the origin.
 class odd_coordinates {
 public:
     /// Checks a coordinate of the next vertex, read from the current token or from `digits` in it.
-    /// A coordinate that is not allowed is collected, and becomes 0.
+    /// A coordinate that is not allowed is collected, and set to 0.
     void check(const text_cursor& text, const l3d_polygon_mesh& mesh, double& value,
                std::string_view digits = {}) {
         if (std::abs(value) <= l3d_bpt_largest_coordinate)
@@ -167,9 +167,9 @@ public:
         value = 0;
     }
 
-    /// Whether no vertex with such coordinates is used: by no corner and, as is_used(index) tells,
-    /// by nothing else.
-    /// Errors: as text_cursor::is_coordinate, at the first coordinate in the text that is used.
+    /// Whether all vertices with such coordinates are unused: no corner uses them, and
+    /// is_used(index) is false for them.
+    /// Errors: as text_cursor::is_coordinate, for the first coordinate in the text that is used.
     template <class Used>
     bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
         if (found_.empty())
@@ -237,8 +237,9 @@ inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
         mesh.vertex_normals.clear();
 }
 
-/// Reads a model by read(cursor, model), which returns whether it succeeded. Each format's reader
-/// returns this function's result. Text from `comment`, if any, to the end of its line is skipped.
+/// Reads a model by read(cursor, model), which returns whether it succeeded. The readers of all
+/// formats end with a call of this function. If `comment` is given, text from it to the end of its
+/// line is skipped.
 /// Errors: nothing, and the cursor's reason in `why`.
 template <class Read>
 std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, std::string_view name,

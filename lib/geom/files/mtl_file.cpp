@@ -27,7 +27,7 @@ constexpr std::string_view silent_material_statements[] = {"Ni", "sharpness", "m
 constexpr std::string_view numbered_statements[] = {"Ka", "Ke",  "Pr",    "Pm",    "Ps",
                                                     "Pc", "Pcr", "aniso", "anisor"};
 
-/// The first of the models of lighting, `illum`, that has highlights.
+/// The first model of lighting (`illum`) that has highlights.
 constexpr std::int64_t highlights_from = 2;
 
 class mtl_reader {

@@ -90,7 +90,8 @@ bool obj_surfaces::follow(const connected& side, std::uint32_t edge) {
                                   " that no trim has, or that another con has");
 }
 
-/// The place of a trim in space: cubics through four points each, as many as it takes.
+/// The edge in space that a trim curve makes: as many cubics as its accuracy takes, each through
+/// four points.
 std::optional<l3d_model_edge> obj_surfaces::edge_along(const connected& side) const {
     constexpr double wanted = 0x1p-30; // relative to the edge's extent
     constexpr std::size_t most_cubics = 1024, places = 16;

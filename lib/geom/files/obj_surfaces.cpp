@@ -184,7 +184,7 @@ bool obj_surfaces::read_trim_curve() {
     return read_points(parameter_vertices_.size());
 }
 
-/// The loop of a trim or hole: ranges of curves, one after another.
+/// Reads the loop of a trim or hole: ranges of curves that follow each other.
 bool obj_surfaces::read_trim(bool is_hole) {
     const std::string word = is_hole ? "hole" : "trim";
     if (open_ != opened::surface)
@@ -221,7 +221,7 @@ bool obj_surfaces::read_trim(bool is_hole) {
     trims_.push_back(l3d_trim_loop_of(curves, uses));
     std::string why;
     has_outer_trim_ = has_outer_trim_ || !is_hole;
-    // Only at the surface's end is it known whether the surface is closed; until then it may be.
+    // Whether the surface is closed is known only at its end. Until then it may be.
     const l3d_trim_box box{{u_.from, v_.from}, {u_.to, v_.to}};
     return l3d_unrolled(std::span(&trims_.back(), 1), box, {true, true}, why) || text_.fail(why);
 }
@@ -282,7 +282,7 @@ bool obj_surfaces::complete(l3d_bspline_direction& d, const char* name) {
     }
     if (d.knots.size() < 2 * (n + 1))
         return complain(" has fewer knots than twice the degree and 2");
-    // Where more than n knots are equal, the surface is torn; at its ends, they have no effect.
+    // More than n equal knots tear the surface, except at its ends, where they have no effect.
     for (std::size_t i = 1; i + n + 1 < d.knots.size(); ++i)
         if (d.knots[i] == d.knots[i + n] && d.knots[i] > d.knots[n] &&
             d.knots[i] < d.knots[d.points()])
@@ -302,9 +302,10 @@ bool obj_surfaces::end(const std::vector<vector>& vertices, const std::vector<do
     }
 }
 
-/// A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes at most a
-/// rational bicubic patch of 568 bytes. A text that asks for more names the same vertices again and
-/// again.
+/// Counts memory that the model takes. Fails if this is more than different vertices of the text
+/// could need. A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes
+/// at most a rational bicubic patch of 568 bytes. A text that asks for more names the same vertices
+/// again and again.
 bool obj_surfaces::takes(std::size_t bytes) {
     constexpr std::size_t most_per_byte = 48;
     patch_bytes_ += bytes;
@@ -390,8 +391,8 @@ bool obj_surfaces::end_trim_curve() {
     return true;
 }
 
-/// Gives each piece of a surface the parts of the loops that it needs. Holes alone are cut out of
-/// the whole surface.
+/// Gives each piece of a surface the parts of the loops that it needs. If all loops are holes, they
+/// are cut out of the whole surface.
 bool obj_surfaces::put_trims(std::span<l3d_patch_points> patches) {
     if (trims_.empty())
         return true;

@@ -41,8 +41,8 @@ public:
 
     static bool knows(std::string_view word);
 
-    /// Reads the rest of a statement whose word knows() accepts. `weights` may be shorter than
-    /// `vertices`; missing weights are 1.
+    /// Reads the rest of a statement whose first word knows() accepts. `weights` may be shorter
+    /// than `vertices`; missing weights are 1.
     bool read_statement(std::string_view word, const std::vector<vector>& vertices,
                         const std::vector<double>& weights);
 
@@ -54,8 +54,8 @@ public:
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
-    /// Marks a trim curve's edge as the number of a curve of curv2, of which there are fewer than
-    /// 2^31. Trims have such numbers until connections are read.
+    /// A flag in l3d_trim_curve::edge. Until connections are read, the other bits are the number of
+    /// a curve of curv2, of which there are fewer than 2^31.
     static constexpr std::uint32_t unconnected = 0x80000000;
 
     enum class kind { none, bezier, bspline, other };
@@ -107,7 +107,8 @@ private:
     /// The curves of curv2, in their order; nothing for one that is skipped.
     std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
     std::vector<l3d_trim_loop> trims_; ///< the trims of the open surface
-    bool has_outer_trim_ = false;      ///< it is trimmed from outside, not by holes alone
+    /// Whether the open surface is trimmed from outside, not only by holes.
+    bool has_outer_trim_ = false;
 
     /// A surface that has ended, for connections.
     struct ended_surface {

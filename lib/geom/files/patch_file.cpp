@@ -135,8 +135,9 @@ std::optional<std::array<std::array<double, 3>, 16>> l3d_as_bicubic(const l3d_pa
     if (patch.points.size() != columns * rows)
         return std::nullopt;
 
-    // Raising a degree 12 times has 36 roundings of 2^-53, and the cubic's inner points 1 + 2 * 5.
-    // The file's own points may be rounded as often: 2 * 36 + 11 is less than 2^7.
+    // Raising a degree 12 times rounds a coordinate 36 times, each time by 2^-53. The cubic's inner
+    // points take 1 + 2 * 5 roundings. Points of the file may have been rounded as often:
+    // 2 * 36 + 11 is less than 2^7.
     double largest = 0;
     for (const point& p : patch.points)
         for (const double value : p)

@@ -33,13 +33,13 @@ struct L3D_PUBLIC l3d_trim_curve {
     friend bool operator==(const l3d_trim_curve&, const l3d_trim_curve&) = default;
 };
 
-/// A closed loop of curves in (u, v): each begins where the one before ends, and the first where
-/// the last ends. Straight lines close the gaps that rounding left.
+/// A closed loop of curves in (u, v): each begins where the one before it ends, and the first where
+/// the last ends. Straight lines close gaps that rounding left.
 using l3d_trim_loop = std::vector<l3d_trim_curve>;
 
-/// The error message for invalid loops, which names the one at fault; "" if all are valid. Each has
-/// a curve. Coordinates are finite and at most 1e12, weights as l3d_is_weight wants them. The gap
-/// between two curves is at most 2^-20 of the loop's extent.
+/// The error message for invalid loops, which names the loop at fault; "" if all are valid. A valid
+/// loop has a curve or more. Its coordinates are finite and at most 1e12, and its weights satisfy
+/// l3d_is_weight. The gap between two curves is at most 2^-20 of the loop's extent.
 L3D_PUBLIC std::string l3d_trims_complaint(std::span<const l3d_trim_loop> loops);
 
 /// The control points of one Bezier patch of any degrees, rational if it has weights.
@@ -66,8 +66,8 @@ inline constexpr int l3d_bpt_largest_degree = 15;
 /// coordinates from 1e12 on; the reader can say in which line they are.
 inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 
-/// Whether a number may be the weight of a control point. Products with a smaller one would be too
-/// small for a double to keep their digits.
+/// Whether a number may be the weight of a control point. With smaller weights, products would lose
+/// digits, as they would be too small for a double.
 constexpr bool l3d_is_weight(double w) {
     return w >= 1e-100 && w <= 1e12;
 }
@@ -92,8 +92,8 @@ l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 /// Expects: patches that l3d_read_bpt would accept.
 L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 
-/// The same surface with degrees 3 and 3: lower degrees are raised, higher ones reduced where the
-/// surface is no more than bicubic.
+/// The same surface with degrees 3 and 3. Lower degrees are raised. Higher degrees are reduced if
+/// the surface is no more than bicubic.
 ///
 /// Two patches that share a boundary still share it bit for bit, whichever way each runs along it.
 /// Shape:   index = 4 * row (v) + column (u).

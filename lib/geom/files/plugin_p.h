@@ -12,10 +12,11 @@
 
 namespace l3d_detail {
 
-/// The common part of the interfaces of plug-ins, structs of functions that derive from this one.
+/// The common base of the interfaces of plug-ins. An interface is a struct of functions that
+/// derives from it.
 ///
 /// Functions take and give numbers of C's own types, never l3d_real. So one plug-in serves the
-/// libraries of all number types, and it links nothing of them.
+/// libraries of all number types, and does not link to them.
 struct plugin_interface {
     /// Counted up whenever the struct or the meaning of its functions changes.
     std::uint32_t version;

@@ -162,8 +162,8 @@ private:
         return true;
     }
 
-    /// Scales a component of a colour to 0 to 1. Floats stay; whole numbers are divided by the
-    /// largest of their type, but those of four bytes by 255.
+    /// Scales a component of a colour to the range from 0 to 1. Floats stay as they are. Whole
+    /// numbers are divided by the largest of their type, but those of four bytes by 255.
     static double scaled(const property& p, double value) {
         if (!is_color(p.means) || !is_whole(p.type))
             return value;

@@ -11,8 +11,8 @@ namespace l3d_detail {
 
 /// The cage of a Catmull-Clark surface.
 ///
-/// Expects: a manifold whose faces all turn the same way, no vertex twice in a face; each crease is
-///          an edge of the cage.
+/// Expects: a manifold whose faces all turn the same way, without a vertex twice in a face; each
+///          crease is an edge of the cage.
 struct subdivision_cage {
     std::uint32_t vertices;
     const double* places; ///< x, y, z of each vertex
@@ -21,8 +21,9 @@ struct subdivision_cage {
     const std::uint32_t* corners;
     std::uint32_t creases;
     const std::uint32_t* crease_vertices; ///< two for each crease
-    const float* crease_sharpness;        ///< subdivisions that keep a crease; 10 is for ever
-    std::uint32_t points;                 ///< number of vertices that are sharp themselves
+    /// Number of subdivisions that keep a crease sharp; 10 is for ever.
+    const float* crease_sharpness;
+    std::uint32_t points; ///< number of vertices that are sharp themselves
     const std::uint32_t* point_vertices;
     const float* point_sharpness;
     std::uint32_t holes;
@@ -35,10 +36,10 @@ struct subdivision_cage {
 /// The receiver of patches.
 struct subdivision_sink {
     void* to;
-    /// Takes 16 control points, x, y and z of each, u fastest; `face` is the face of the cage. A
-    /// patch's normal dS/du x dS/dv points to the side from which the face's corners run
+    /// Takes a patch: 16 control points, x, y and z of each, u fastest. `face` is its face of the
+    /// cage. The normal dS/du x dS/dv points to the side from which the face's corners run
     /// counterclockwise. `error` bounds the distance from the limit surface at the same parameters.
-    /// It bounds that of control points, too, unless the patch is a cap, which is not exact.
+    /// It also bounds that of control points, unless the patch is a cap, which is not exact.
     void (*take)(void* to, std::uint32_t face, const double* points, double error,
                  std::uint32_t is_cap);
     void (*fail)(void* to, const char* why);

@@ -14,8 +14,8 @@
 
 namespace l3d_detail {
 
-/// A token fit for a message: quoted, of bounded length, and harmless to a terminal. A byte that is
-/// a control character or no UTF-8 is shown as \xNN, and so are quotes and backslashes.
+/// A token in a form for messages: quoted, of bounded length, and harmless to a terminal. Control
+/// characters, bytes that are not UTF-8, quotes and backslashes are shown as \xNN.
 std::string quoted(std::string_view token);
 
 /// Appends the shortest form of `value` that is read as the same bits, then `after`.
@@ -33,9 +33,9 @@ public:
     /// The limit of notes: without it, a text of short odd lines would cost a multiple of its size.
     static constexpr std::size_t most_notes = 20;
 
-    /// A comment begins with the character `comment` and ends with its line; 0 stands for no
-    /// comments. A byte order mark at the beginning is passed over. Lines end as on Unix, as on
-    /// DOS, or with carriage returns alone.
+    /// A comment begins with the character `comment` and ends with its line; 0 means that there are
+    /// no comments. A byte order mark at the beginning is passed over. Lines end as on Unix, as on
+    /// DOS, or with carriage returns only.
     text_cursor(std::string_view text, std::string_view name, char comment = '\0');
 
     /// Sets the error to `what`, with the line of the current token, and returns false.
@@ -50,8 +50,7 @@ public:
     void note_once(const std::string& what);
     std::vector<std::string> take_notes();
 
-    /// Sets the place of values, such as " of vertex 3 of 8", that messages name until the next
-    /// call.
+    /// Sets the place of values that messages name from now on, such as " of vertex 3 of 8".
     /// Lives: `of_what` is kept, not copied.
     void set_place(const char* of_what, std::size_t index, std::size_t count) {
         of_what_ = of_what;
@@ -90,7 +89,7 @@ public:
         std::size_t index, count;
     };
     reading_place here() const { return {rest_, token_, line_, of_what_, index_, count_}; }
-    /// Goes back to a place, so that a message can name it. Nothing can be taken after that.
+    /// Goes back to a place, so that a message can name its line. Nothing can be taken after that.
     void go_back(const reading_place& to);
 
     /// From here on, a newline after a backslash is white space, but still counts as a line.

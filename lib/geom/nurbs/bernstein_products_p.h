@@ -55,7 +55,8 @@ template <class V> struct net {
         }
         return result;
     }
-    /// The quotient by v of a polynomial that is 0 at v = 0: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
+    /// The quotient by v of a polynomial that is 0 at v = 0. It uses v B^(n-1)_j = (j + 1) / n
+    /// B^n_(j+1).
     net over_v() const {
         net result(m, n - 1);
         for (int r = 0; r < n; ++r)
@@ -65,8 +66,8 @@ template <class V> struct net {
     }
 };
 
-/// The largest degree of a product. A piece's normals have at most three times its degree, and the
-/// quintic that approximates them multiplies them.
+/// The largest degree of a product. A piece's normals have at most three times its degree. The
+/// quintic that approximates them is multiplied by them.
 inline constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
 /// Binomial coefficients n over k, which are exact in a double.
 inline constexpr auto binomials = [] {
@@ -81,9 +82,9 @@ inline double binomial(int n, int k) {
     return binomials[static_cast<std::size_t>(n)][static_cast<std::size_t>(k)];
 }
 
-/// One coordinate of a polynomial: its Bernstein coefficients times binomials. Products in this
-/// form are plain sums of products. Source: Farouki and Rajan 1988, Algorithms for polynomials in
-/// Bernstein form.
+/// One coordinate of a polynomial: its Bernstein coefficients times binomials. In this form, the
+/// coefficients of a product are plain sums of products. Source: Farouki and Rajan 1988, Algorithms
+/// for polynomials in Bernstein form.
 class scaled_net {
 public:
     int m, n;
@@ -111,7 +112,8 @@ public:
         return result;
     }
 
-    /// Adds a b `times` times. Expects: the degrees of a and b add up to these.
+    /// Adds the product of a and b, multiplied by `times`. Expects: the degrees of a and b add up
+    /// to those of this net.
     void add(const scaled_net& a, const scaled_net& b, double times = 1) {
         // b's rows lie as far apart as those of the product. So one loop multiplies a coefficient
         // of a, or four neighbours in a row of a, with all of b.
@@ -174,7 +176,7 @@ inline scaled_vectors cross(const scaled_vectors& a, const scaled_vectors& b) {
     return result;
 }
 
-/// Adds a b `times` times.
+/// Adds the product of a and b, multiplied by `times`.
 inline void add(scaled_vectors& to, const scaled_net& a, const scaled_vectors& b,
                 double times = 1) {
     for (std::size_t k = 0; k < 3; ++k)

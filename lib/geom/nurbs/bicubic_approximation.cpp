@@ -21,8 +21,8 @@ using point = l3d_rational_piece::point;
 
 constexpr double unit = 0x1p-53; // the relative rounding of a double
 
-/// The rounding of a product's coefficients, relative to its factors: sums of up to 16 by 16
-/// products, made twice.
+/// The rounding of a product's coefficients, relative to its factors. The coefficients are sums of
+/// up to 16 by 16 products, made twice.
 constexpr double sums_rounding = 0x1p10 * unit;
 
 vector place_of(const point& p) {
@@ -48,8 +48,9 @@ template <class V> double bound_of(const net<V>& of) {
     return most;
 }
 
-/// The same from the coefficients of parts, after some halvings along u and v in turns. Errors of
-/// interpolation change signs: over the whole, their coefficients are some four times too large.
+/// An upper bound as by bound_of, but from the coefficients of the polynomial's parts after some
+/// halvings along u and v in turns. Errors of interpolation change their sign, so the coefficients
+/// of the whole are some four times too large.
 double bound_of_parts(const net<vector>& of, int halvings) {
     if (halvings == 0)
         return bound_of(of);
@@ -125,7 +126,8 @@ bool has_one_weight(const l3d_rational_piece& piece) {
                                [&](const point& p) { return p[3] == piece.points[0][3]; });
 }
 
-/// A piece as P and W, relative to a place of it, with bounds of rounding (`noise`: of P's length).
+/// A piece as P and W, relative to one of its places, with bounds of rounding. `noise` bounds the
+/// error of P's length.
 struct centred_piece {
     net<vector> p;
     net<double> w;
@@ -153,7 +155,7 @@ struct centred_piece {
     }
 };
 
-/// A piece, turned so that v = 0 is an edge collapsed to a point, if there is one.
+/// A piece, turned so that v = 0 is the edge that is collapsed to a point, if there is one.
 struct turned {
     l3d_rational_piece piece;
     bool has_pole = false;
@@ -186,7 +188,7 @@ struct turned {
                     old.at(c, old.degree_u - r);
     }
 
-    /// Normals, turned as often.
+    /// Turns a polynomial of normals by `times` quarter turns.
     static l3d_normal_polynomial right(l3d_normal_polynomial normals, int times) {
         constexpr std::size_t order = l3d_normal_polynomial::order;
         for (int i = 0; i < times; ++i) {
@@ -288,7 +290,8 @@ constexpr interpolation<quintic_order> quintic({0, outer_node, inner_node, 1 - i
                                                 1 - outer_node, 1});
 
 /// Normals of a piece of degree m take some m^4 operations. From degree 8 on, a piece of degree 7
-/// replaces it, through places (1 - cos(k pi / 7)) / 2. The difference counts as rounding.
+/// replaces it. The two meet at places (1 - cos(k pi / 7)) / 2 along u and v. Their difference
+/// counts as rounding.
 constexpr int most_exact_degree = 7;
 constexpr interpolation<most_exact_degree + 1> septic({0, 0.0495155660487904, 0.188255099070633,
                                                        0.388739533021843, 0.611260466978157,
@@ -299,7 +302,7 @@ l3d_rational_piece reduced(l3d_rational_piece piece) {
     const int n = std::max(piece.degree_v, most_exact_degree);
     if (m == most_exact_degree && n == most_exact_degree)
         return piece;
-    // Both as polynomials of degree m by n.
+    // Both pieces, raised to degrees m by n.
     const auto raised = [m, n](const net<point>& of, int coordinate) {
         scaled_net result(m, n);
         result.add(one(m - of.m, n - of.n),
@@ -330,8 +333,8 @@ l3d_rational_piece reduced(l3d_rational_piece piece) {
     return piece;
 }
 
-/// A polynomial in the direction of the piece's normals, if these are not 0: W^3 S_u x S_v. An edge
-/// v = 0 that is a point leaves a factor v, by which it is divided.
+/// The polynomial W^3 S_u x S_v, which has the direction of the piece's normals where these are not
+/// 0. If the edge v = 0 is a point, the polynomial has a factor v, by which it is divided.
 struct exact_normals {
     net<vector> of{0, 0};
     double noise = 0; ///< bound of the rounding of coefficients
@@ -348,7 +351,7 @@ struct exact_normals {
             add(sum, scaled(wu), cross(p, by_v), -1);
         }
         of = net_of(sum);
-        // Three factors, each with its own rounding.
+        // A factor of a product of three, with a bound of its rounding.
         struct factor {
             double size, noise;
         };

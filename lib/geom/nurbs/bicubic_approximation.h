@@ -31,17 +31,17 @@ struct l3d_rational_piece {
         return points[static_cast<std::size_t>(row * (degree_u + 1) + column)];
     }
 
-    /// Cuts the piece in half along u, or along v. A boundary of a half depends on the same
-    /// boundary of the whole alone. So the halves of pieces with a common boundary share their
-    /// boundaries, bit for bit, also if one piece runs along it the other way.
+    /// Cuts the piece in half along u, or along v. A boundary of a half depends only on the same
+    /// boundary of the whole. So the halves of pieces with a common boundary share their
+    /// boundaries, bit for bit, also if the pieces run along it in opposite directions.
     std::pair<l3d_rational_piece, l3d_rational_piece> halves(bool along_u) const;
 };
 
 /// A bicubic patch that stands for a rational piece, with a bound of its error (docs/NUMERICS.md,
 /// section 25). It meets the piece at 4 by 4 places, the corners among them.
 ///
-/// A boundary of the patch depends on the same boundary of the piece alone. It is the same bit for
-/// bit, in whichever direction the piece runs along it.
+/// A boundary of the patch depends only on the same boundary of the piece. It has the same bits in
+/// whichever direction the piece runs along it.
 struct l3d_bicubic_approximation {
     l3d_bezier_patch<double, 3> patch{};
     /// Bound of the distance between points of the patch and of the piece at the same parameters.

@@ -14,9 +14,9 @@ namespace l3d_detail {
 
 /// A colour that covers a share of a place.
 struct mixed_color {
-    std::array<double, 3> values{}; ///< red, green and blue as a color_mixer has them, each times
-                                    ///< `opacity`
-    double opacity = 0;             ///< the covered share, from 0 to 1
+    /// Red, green and blue as a color_mixer has them, each times `opacity`.
+    std::array<double, 3> values{};
+    double opacity = 0; ///< the covered share, from 0 to 1
 };
 
 /// Mixes colours, and rounds the result once, to the nearest level.
@@ -49,8 +49,8 @@ public:
         return result;
     }
 
-    /// A pixel word with a colour mixed over it by a share. If the word is transparent, both
-    /// colours are weighted by their coverage.
+    /// Mixes a colour over a pixel word, by a share. If the word is transparent, both colours are
+    /// weighted by their coverage.
     std::uint32_t over(std::uint32_t word, const mixed_color& color, double share) const {
         const double covers = color.opacity * share;
         if (covers <= 0)

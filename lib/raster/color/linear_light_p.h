@@ -18,7 +18,8 @@ public:
     /// The light of a level from 0 to 255; level 255 has light 1.
     Real light(std::uint32_t level) const { return light_[level]; }
 
-    /// The level of ambient light alone, and the largest level that lights add.
+    /// The level of a surface that only ambient light reaches, and the largest level that lights
+    /// add.
     static constexpr Real ambient = Real(25.5), most_lit = Real(229.5);
 
     /// The level of a surface that is lit by lamps. `lit` is the level above the ambient one, as in

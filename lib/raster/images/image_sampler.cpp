@@ -121,7 +121,7 @@ mixed_color image_sampler::linear(l3d_point_2d at) const {
     return result;
 }
 
-/// The mean colour of a pixel whose sides are parallel to the image's, which is a box in the image.
+/// The mean colour of a pixel whose sides are parallel to the image's. In the image, it is a box.
 mixed_color image_sampler::box_mean(l3d_point_2d from, l3d_point_2d to) const {
     const double width = image_.pixels.width, height = image_.pixels.height;
     const double left = std::clamp(std::min(from.x, to.x), 0.0, width);
@@ -219,8 +219,9 @@ void image_sampler::add_in_row(int row, double from, double to, double height) {
     }
 }
 
-/// Adds the area to the right of an edge's part in a cell. In this cell, it is the height times the
-/// mean distance from the cell's right side. In all cells further right, it is the whole height.
+/// Adds the area to the right of an edge's part in a cell. In this cell, it is the part's height
+/// times its mean distance from the cell's right side. In all cells further right, it is the whole
+/// height.
 void image_sampler::add_in_cell(int row, int column, double from, double to, double height) {
     if (column >= columns_)
         return;

@@ -54,8 +54,7 @@ private:
     std::int32_t moved_x_ = 0, moved_y_ = 0;
     // for area_mean: the columns and rows of the image that a pixel reaches
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
-    std::vector<double> areas_; ///< row by row: the differences from column to column of the
-                                ///< covered areas
+    std::vector<double> areas_; ///< row by row: differences of covered areas, from column to column
 };
 
 } // namespace l3d_detail

@@ -9,8 +9,8 @@
 
 namespace {
 
-/// The smaller change of depth to either neighbour. A step to another surface, or to none, is
-/// larger than one along the surface. So this is the rise of the pixel's own surface.
+/// The smaller change of depth to either neighbour, which is the rise of the pixel's own surface.
+/// Steps to another surface, or to none, are larger.
 double rise(double before, double here, double after) {
     return std::min(std::abs(here - before), std::abs(here - after));
 }
@@ -50,8 +50,8 @@ bool is_hidden(const l3d_detail::depth_lines::line& of, int x, int y, double awa
     return here > depth + bias;
 }
 
-/// The first whole pixel whose centre is at or after a place, limited to 0 .. count. Its
-/// counterpart end_pixel() ends the pixels before a place.
+/// The first whole pixel whose centre is at or after a place, limited to 0 .. count. end_pixel() is
+/// its counterpart for the end of a range.
 int first_pixel(double from, int count) {
     return static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, double(count)));
 }
@@ -69,8 +69,8 @@ void l3d_detail::depth_lines::add(const line& of, const depth_point& from, const
     const double dx = to.x - from.x, dy = to.y - from.y, square = dx * dx + dy * dy;
     const int bottom = end_pixel(std::max(from.y, to.y) + reach, size.height);
     for (int y = first_pixel(std::min(from.y, to.y) - reach, size.height); y < bottom; ++y) {
-        // In a row, the strip around the endless line is as wide as 2 reach over the sine of the
-        // line's angle with the row.
+        // Measured along a row, the strip around the endless line is as wide as 2 reach over the
+        // sine of the line's angle with the row.
         double left = std::min(from.x, to.x) - reach, right = std::max(from.x, to.x) + reach;
         if (std::abs(dy) > 0.01 * std::abs(dx)) { // else the row holds nearly all of the strip
             const double middle = from.x + (y + 0.5 - from.y) * dx / dy;

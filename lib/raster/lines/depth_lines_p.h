@@ -23,8 +23,8 @@ struct depth_point {
 /// The meaning of depths: 1 / distance, or base + step * distance in a parallel projection.
 struct depth_law {
     double focal; ///< pixels for each world unit, at distance 1 or in a parallel projection
-    double base = 0, step = 0; ///< as depth_base and depth_step of l3d_shading; step is 0 in
-                               ///< perspective
+    /// Depth_base and depth_step of l3d_shading; step is 0 in perspective.
+    double base = 0, step = 0;
 
     /// The change of depth between two places whose distances differ by a pixel's size.
     double per_pixel(double depth) const { return (step == 0 ? depth : std::abs(step)) / focal; }
@@ -34,9 +34,9 @@ struct depth_law {
 /// each once, even if several chords reach it at joints or crossings.
 ///
 /// A chord ends in half discs, which also form the joints. Let d be the distance of a pixel's
-/// centre from the chord. With smooth edges, coverage is width / 2 + 1/2 - d, at least 0 and at
-/// most 1 and the width. With hard edges, the pixel is covered if d is at most half of the width,
-/// or 1/2 for thinner lines.
+/// centre from the chord. With smooth edges, the coverage is width / 2 + 1/2 - d, clamped to the
+/// range from 0 to the smaller of 1 and the width. With hard edges, a pixel is covered if d is at
+/// most half of the width, or 1/2 for thinner lines.
 class depth_lines {
 public:
     /// The properties of a line.

@@ -40,13 +40,14 @@ void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size s
     });
 }
 
-/// Stores a line's coverage in a pixel of a picture of coverage, if it is larger than that there.
+/// Raises the coverage in a pixel, a word of a picture of coverage, to a line's coverage if that is
+/// larger.
 inline void cover_pixel(std::uint32_t& word, int coverage) {
     word = std::max(word, static_cast<std::uint32_t>(coverage));
 }
 
-/// Stores a line's coverage in a pixel, and for fog the depth of the nearest line there. A pixel's
-/// depth has no meaning while its coverage is 0.
+/// Raises the coverage in a pixel in the same way. For fog, it also keeps the depth of the nearest
+/// line there, which has no meaning while the coverage is 0.
 inline void cover_pixel(std::uint32_t& word, float& depth, int coverage, double inv_w) {
     const auto here = static_cast<float>(inv_w);
     depth = word == 0 ? here : std::max(depth, here);

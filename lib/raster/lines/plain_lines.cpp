@@ -13,8 +13,8 @@ using namespace l3d_detail;
 /// The number of pixels that are lit without a branch between them.
 constexpr int block = 4;
 
-/// How many pixels ahead of the present one are prefetched. Each pixel of a steep line is in a row
-/// of its own, and so in a cache line of its own. Shorter lines than fewest_for_ahead lose more
+/// The number of pixels by which prefetching is ahead. Each pixel of a steep line is in a row of
+/// its own, and so in a cache line of its own. Lines shorter than fewest_for_ahead lose more by it
 /// than they gain.
 constexpr int pixels_ahead = 4;
 constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
@@ -27,7 +27,7 @@ template <bool x_major, class Minors> struct line_walk {
     std::ptrdiff_t stride;
 
     std::uint32_t* pixel() const { return at + across(minors.floor()); }
-    /// The offset from this pixel to a later one, or to a neighbour of that one.
+    /// The offset from this pixel to a later one, or to a neighbour of the later one.
     std::ptrdiff_t ahead(int pixels) const {
         return pixels * along + across(minors.floor_after(pixels) - minors.floor());
     }
@@ -77,7 +77,8 @@ template <bool x_major, bool prefetches>
 }
 
 /// Lights the visible steps of a line. It takes separate numbers, as a struct would be passed in
-/// memory. `at` is the word of the first step, but with the minor coordinate of the line's begin.
+/// memory. `at` is the word at the first step's major coordinate and at the minor coordinate of the
+/// line's begin.
 template <bool x_major>
 void light_steps(std::uint32_t* at, std::int64_t length, std::int64_t rise, std::int64_t first,
                  std::int64_t pixels, std::ptrdiff_t along, std::ptrdiff_t stride,
@@ -162,7 +163,7 @@ void l3d_detail::mark_seen(line_steps& line, l3d_size size) {
     const std::int64_t minor_size = line.x_major ? size.height : size.width;
     const whole_range among{std::max<std::int64_t>(0, -line.major),
                             std::min<std::int64_t>(line.length, major_size - 1 - line.major)};
-    // The pixels with 0 <= minor < minor_size, where the minor is the floor of a quotient.
+    // The pixels for which 0 <= minor < minor_size, where minor is the floor of a quotient.
     const wide_integer length = line.length;
     const whole_range seen =
         where_within(among, 2 * wide_integer{line.rise}, -2 * length * line.minor - length + 1,

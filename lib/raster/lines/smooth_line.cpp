@@ -29,7 +29,8 @@ l3d_detail::smooth_line::smooth_line(l3d_point_2d from, l3d_point_2d to, l3d_siz
     denominator_ = l3d_subpixel_one * length;
     const wide_integer first = floor_quotient(first_major_, l3d_subpixel_one);
     const wide_integer last = ceil_quotient(last_major_, l3d_subpixel_one);
-    // One of a column's two pixels is in the picture while -1 <= floor < minor_size.
+    // A column has two pixels, at floor and floor + 1. One of them is in the picture while
+    // -1 <= floor < minor_size.
     seen_ = where_within(
         {std::max<wide_integer>(first, 0), std::min<wide_integer>(last, size.width - 1)}, slope_,
         -wide_integer{denominator_} - start_,

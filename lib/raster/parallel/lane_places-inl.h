@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// lane_places: makes the numbers of lanes.
+// lane_places: makes vectors of consecutive numbers.
 #if defined(L3D_RASTER_PARALLEL_LANE_PLACES_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_PARALLEL_LANE_PLACES_INL_H
 #undef L3D_RASTER_PARALLEL_LANE_PLACES_INL_H
@@ -22,7 +22,7 @@ alignas(64) constexpr std::int32_t places_of_lanes[16] = {0, 1, 2,  3,  4,  5,  
                                                           8, 9, 10, 11, 12, 13, 14, 15};
 
 /// The numbers first, first + 1, first + 2 ... in at most sixteen lanes. Highway's Iota would write
-/// each number to memory, and wait for all of them.
+/// each number to memory, and then wait for all of them.
 template <class D> HWY_INLINE hn::Vec<D> places_from(D d, std::int32_t first) {
     return hn::Add(hn::Load(d, places_of_lanes), hn::Set(d, first));
 }

@@ -46,7 +46,8 @@ std::size_t best_place() {
     return place;
 }
 
-/// The index of the chosen target. The process has one, like any cache of the processor's features.
+/// The index of the chosen target. The whole process has one, as the processor's features are the
+/// same for all.
 std::atomic<std::size_t>& chosen_place() {
     static std::atomic<std::size_t> place = best_place();
     return place;

@@ -25,7 +25,7 @@ namespace {
 
 /// Items [begin, end) that are still to be taken, from either end.
 ///
-/// Shape: two cache lines of its own, since processors fetch them in pairs.
+/// Shape: fills two cache lines, since processors fetch them in pairs.
 class alignas(128) item_range {
 public:
     void set(int begin, int end) { ends_.store(packed(begin, end), std::memory_order_relaxed); }
@@ -88,8 +88,7 @@ struct l3d_workers::threads {
             pthread_join(members[static_cast<std::size_t>(worker)].thread, nullptr);
     }
 
-    /// Calls work(worker) on this thread, and on each other thread that joins before this call
-    /// ends.
+    /// Calls work(worker) on this thread, and on other threads that join in before the call ends.
     /// Cost: allocates nothing if the function holds a reference.
     void run(const std::function<void(int)>& work) {
         {
@@ -152,8 +151,8 @@ private:
         }
     }
 
-    /// Spins until the others' last items are done, at most for as long as falling asleep and
-    /// waking take. On a busy machine, a sleeper would wait for its turn.
+    /// Spins until the others' last items are done, but no longer than falling asleep and waking
+    /// take. On a busy machine, a sleeper would wait for its turn.
     void watch() const {
         using clock = std::chrono::steady_clock;
         constexpr auto sleep_and_wake = std::chrono::microseconds(50);
@@ -174,7 +173,7 @@ private:
     std::mutex mutex; ///< guards all members below
     std::condition_variable begun, ended;
     const std::function<void(int)>* present = nullptr; ///< work that other threads may join
-    std::uint64_t rounds = 0; ///< counts calls of run(), so that nobody joins one twice
+    std::uint64_t rounds = 0; ///< counts calls of run(), so that no thread joins one twice
     std::atomic<int> busy{0}; ///< other threads at work; written under the lock
     bool is_over = false;
     std::exception_ptr failure; ///< the first exception of the work

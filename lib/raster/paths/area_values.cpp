@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// area_values: turns windings into levels, for every instruction set that the processor may have.
+// area_values: turns winding numbers into values, for every instruction set that the processor may
+// have.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "raster/paths/area_values.cpp"
 #include <hwy/foreach_target.h>

@@ -26,8 +26,8 @@ struct band_edge {
     double x, y, end_x, end_y;       ///< its part in the band
     bool begins = true, ends = true; ///< whether its ends lie in the band
 
-    /// If borders of rows cut the edge: the change of x from row to row, and the range of x of its
-    /// ends.
+    /// If borders of rows cut the edge: the change of x from row to row, and the least and the
+    /// largest x of its ends.
     double slope = 0, least = 0, most = 0;
 
     band_edge(const l3d_point_2d& first, const l3d_point_2d& last)
@@ -118,8 +118,8 @@ struct band_cells::walk {
     std::uint32_t edges = 0; ///< the number of its edges there
     std::uint32_t ways = 0;  ///< the directions in which they run, as bits of `way`
 
-    /// Adds an edge's part in a pixel. `right` is the distance from its middle to the pixel's right
-    /// side.
+    /// Adds an edge's part in a pixel. `right` is the distance from the part's middle to the
+    /// pixel's right side.
     HWY_INLINE void put(cell& at, double x, double y, double end_x, double end_y, double right,
                         std::uint32_t edge) {
         const double height = y - end_y;
@@ -181,7 +181,8 @@ struct band_cells::walk {
                (from.x < to.x ? to_right : none) | (to.x < from.x ? to_left : none);
     }
 
-    /// Notes that the outline's next edge begins in a pixel, and returns how it comes there.
+    /// Notes that the outline's next edge begins in a pixel, and returns the way by which it got
+    /// there.
     HWY_INLINE cell_begin come_to(cell* pixel, const l3d_point_2d* corner, bool is_begin) {
         if (pixel != here) {
             edges = 1;
@@ -190,8 +191,8 @@ struct band_cells::walk {
             pixel->visits = unclear_visits;
             return cell_begin::unclear;
         }
-        // Edges in a pixel that all lead up, or all down, to the left or to the right, do not cross
-        // each other. Two successive edges never do.
+        // Edges in a pixel do not cross each other if all lead up, or all down, or all to the left,
+        // or all to the right. Two successive edges never do.
         if (++edges > 2) {
             if (edges == 3)
                 ways = ways_of(corner[-2], corner[-1]) | ways_of(corner[-1], corner[0]);
@@ -218,7 +219,7 @@ struct band_cells::walk {
         std::int32_t row = whole(e.y), last_row = whole(e.end_y);
         std::int32_t& lower = is_up ? row : last_row;
         lower -= lower >= (is_up ? e.y : e.end_y) ? 1 : 0;
-        if (is_up ? row < last_row : last_row < row) { // it is level, and between two rows
+        if (is_up ? row < last_row : last_row < row) { // a level edge between two rows
             here = nullptr;
             return;
         }
@@ -304,7 +305,8 @@ void band_cells::write_row(std::int32_t row, span_writer& to) {
     std::size_t done = 0;
     const auto column = [this](std::size_t of) { return left_ + static_cast<std::int32_t>(of); };
     const auto fill = [&](std::size_t end) {
-        // Windings do not change down a gap, so they are whole except for rounding.
+        // In a gap between edges, the winding number does not change, so its integral is a whole
+        // number except for rounding.
         const windings w{
             {static_cast<int>(std::lrint(cover[0])), static_cast<int>(std::lrint(cover[1]))}};
         cover = {static_cast<double>(w.turns[0]), static_cast<double>(w.turns[1])};
@@ -332,8 +334,8 @@ void band_cells::write_row(std::int32_t row, span_writer& to) {
         fill(stride_);
 }
 
-/// Finds the integrals of the windings for a run of pixels in a row. `cover` comes with the
-/// integral down the run's left side, and leaves with that down its right side.
+/// Finds the integrals of the winding number for a run of pixels in a row. On entry, `cover` is the
+/// integral down the run's left side; on return, that down its right side.
 void band_cells::find_sums(std::size_t at, std::size_t end, double& cover) {
     double sum = cover;
     for (double* sums = sums_.data(); at < end; at += group, sums += group) {
@@ -353,7 +355,7 @@ void band_cells::find_sums(std::size_t at, std::size_t end, double& cover) {
     cover = sum;
 }
 
-/// Replaces the integrals by the areas in those pixels of a group that outlines pass several times.
+/// Replaces the integrals of a group by areas in those pixels that outlines pass several times.
 void band_cells::find_exact(std::size_t at, double* sums) {
     for (std::size_t i = 0; i < group; ++i)
         if (const std::uint32_t visits = cells_[0][at + i].visits; visits > 1)
@@ -376,17 +378,19 @@ void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double
     }
 }
 
-/// The area inside of a pixel that outlines pass several times, or an integral that equals it.
+/// The covered area of a pixel that outlines pass several times, or an integral from which it
+/// follows by area_inside().
 double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<double, 2>& sums) {
-    // Each visit adds at most 1 to the sum, so the winding is above 0 everywhere in the pixel.
+    // Each visit adds at most 1 to the sum. So the winding number is above 0 everywhere in the
+    // pixel if the sum is as large as the number of visits.
     constexpr double slack = 1e-9; // far above rounding
     if (!rules_.clips && rules_.rule[0] == l3d_winding::nonzero && visits < unclear_visits &&
         std::abs(sums[0]) >= visits - slack)
         return 1;
     const std::uint32_t last = cells_[0][at].last;
     if (!rules_.clips && visits == 2) {
-        // Two successive edges do not cross. If their corner lies outside the pixel, windings are
-        // the same on both sides of the strip between them, and the sum tells the area.
+        // Two successive edges do not cross. If their corner lies outside the pixel, the winding
+        // number is the same on both sides of the strip between them, and the sum tells the area.
         const edge_record &second = records_[last], &first = records_[second.before];
         if (first.before == 0 && second.index() == first.index() + 1)
             return sums[0];

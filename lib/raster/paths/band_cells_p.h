@@ -19,15 +19,15 @@ namespace l3d_detail {
 /// Finds the covered area of each pixel in a band of rows.
 ///
 /// Each edge adds its signed area to the pixels that it passes. Their sum is the integral of the
-/// winding number. Where an outline passes a pixel once, and nothing else does, windings there take
-/// two consecutive values, so the integral tells the area. Some of the other pixels are surely
-/// covered as the sum is large; the rest go to pixel_area.
+/// winding number. If only one outline passes a pixel, and once, the winding number has two
+/// consecutive values there, so the integral tells the area. Some of the other pixels are surely
+/// covered, as the sum is large; the rest go to pixel_area.
 /// Cost:    linear in the pixels that edges pass, and in the band's pixels, an eighth of an
 ///          operation each. Allocates when a band is larger, or has more edges, than ever before.
 class band_cells {
 public:
-    /// Sets the pixels that outlines reach, and the rules. Expects: the box is not empty; its first
-    /// row and column are at least 0.
+    /// Sets the pixels that outlines reach, and the fill rules. Expects: the box is not empty; its
+    /// first row and column are at least 0.
     void begin(const l3d_pixel_box& reached, const fill_rules& rules);
 
     /// The number of rows that a band may have.
@@ -48,9 +48,9 @@ public:
 private:
     /// The number of pixels whose values are found together.
     static constexpr std::size_t group = 8;
-    /// The sums over all edges in a pixel. `cover` is the integral of the windings that they add
-    /// along the pixel's right side, and `area` that over the pixel. `visits` counts how often
-    /// outlines pass.
+    /// The sums over all edges in a pixel. `cover` is the integral, along the pixel's right side,
+    /// of the winding number that they add; `area` is the integral over the pixel. `visits` counts
+    /// how often outlines pass.
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;

@@ -53,7 +53,7 @@ struct window_ends {
     }
 };
 
-/// A span takes as long as this many columns of values.
+/// The number of columns with values that take as long as a span.
 constexpr std::int32_t few_columns = 32;
 
 /// Finds the ends of the windows. Returns whether the two windows of any row share columns.
@@ -74,7 +74,7 @@ HWY_ATTR HWY_INLINE bool find_ends(const side_pair& pair, const row_heights& y,
     return !hn::AllFalse(di, joint);
 }
 
-/// Fills the windows of the lanes from begin + at on. Only straight chains have `begin` > 0.
+/// Fills the windows of the lanes from begin + at on. `begin` is above 0 only for straight chains.
 HWY_ATTR HWY_INLINE void find_windows(const side_pair& pair, std::size_t begin, std::size_t at,
                                       row_windows& result) {
     const eight_doubles d;

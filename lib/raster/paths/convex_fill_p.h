@@ -31,8 +31,8 @@ struct side_block {
     std::array<lanes, most_corners> x, y;
     /// The first corner of each row, in memory.
     std::array<const l3d_point_2d*, rows> first;
-    /// The largest number of corners of a row that is done in lanes. Rows with more are left to
-    /// slower code, as all lanes wait for the one with the most.
+    /// The limit of corners in a row for the lanes. Rows with more are left to slower code, as all
+    /// lanes wait for the one with the most corners.
     double few_corners;
     /// The edge that is the chain in all rows, if `straight`. Then the members above have no
     /// meaning.
@@ -107,8 +107,9 @@ struct pair_spans {
     std::size_t span_count = 0, value_count = 0;
 };
 
-/// Finds the spans between two chains, row by row. It leaves out rows in which the chains cross, or
-/// one has many corners or reaches across many columns. Returns these rows, a bit for each.
+/// Finds the spans between two chains, row by row. It leaves out rows in which the chains cross,
+/// and rows in which a chain has many corners or reaches across many columns. Returns the rows left
+/// out, a bit for each.
 /// Expects: x >= 0.
 std::uint32_t cover_rows(const side_pair& pair, pair_spans& result);
 

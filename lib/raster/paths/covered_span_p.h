@@ -23,8 +23,8 @@ struct covered_run {
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
     std::int32_t value; ///< value of the columns in the middle
-    std::size_t values; ///< index of the first value; the values from `beyond` on come after those
-                        ///< before `between`
+    /// Index of the first value: those before `between`, then those from `beyond`.
+    std::size_t values;
 
     std::size_t values_before() const { return static_cast<std::size_t>(between - first); }
 
@@ -56,7 +56,7 @@ public:
         *room(1) = last;
         use(1);
     }
-    /// Shortens the list to its first items. Expects: the list has as many.
+    /// Keeps only the first items of the list. Expects: the list has so many.
     void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
     T& operator[](std::size_t i) { return room_[i]; }

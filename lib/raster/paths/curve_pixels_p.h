@@ -129,8 +129,8 @@ private:
         const double place = std::max(most(d_[0]), most(d_[1]));
         if (plain_)
             return place;
-        // The change of a quotient: the changes of both numbers, seen from a place at most `reach`
-        // away.
+        // The change of the quotient place / weight. At a place at most `reach` away, it is at most
+        // the change of the place plus `reach` times that of the weight, over the least weight.
         const double weight = most(d_[2]), least = d_[2].value() - weight;
         return least > 0 ? (place + reach_ * weight) / least : 2;
     }
@@ -142,8 +142,7 @@ private:
     std::int64_t step_ = whole, left_ = whole;
 };
 
-/// The number of equal steps of a curve's parameter, each of which moves its point by at most a
-/// pixel.
+/// The number of equal steps of a curve's parameter that move its point by at most a pixel each.
 inline double pixel_steps(const l3d_curve_2d& curve) {
     const auto& p = curve.points;
     const l3d_point_2d origin = projected(p[0]);
@@ -190,7 +189,8 @@ void visit_curve_pixels(const l3d_path& path, l3d_size size, const Light& light)
         if (x >= 0 && x < size.width && y >= 0 && y < size.height)
             light(static_cast<int>(x), static_cast<int>(y));
     };
-    // The neighbours of a pixel tell whether it is a corner.
+    // Pixels up to two beside the picture are found, too, since the neighbours of a pixel tell
+    // whether it is a corner.
     constexpr double beside = 2;
     struct {
         seen_box seen;

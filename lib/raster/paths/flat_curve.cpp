@@ -25,8 +25,8 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         weights[i] = plain ? 0 : second(2);
         bends[i] = {second(0) - origin.x * weights[i], second(1) - origin.y * weights[i]};
     }
-    // The largest length of bend - x weight for places x on chords, which are within `distance` of
-    // the hull.
+    // The largest length of bend - x weight, for all places x on chords, which are within
+    // `distance` of the hull.
     const auto most_of = [&](l3d_point_2d bend, double weight) {
         double most = 0;
         for (const l3d_point_2d& corner : hull) {
@@ -41,12 +41,14 @@ l3d_detail::flat_plan l3d_detail::flat_steps(const l3d_curve_2d& curve, double d
         return {1, false};
     const double third =
         6 * most_of({bends[1].x - bends[0].x, bends[1].y - bends[0].y}, weights[1] - weights[0]);
-    // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance. The h
-    // in brackets is that for third = 0. In this form, the quotients need not wait for the roots.
+    // The least 1 / h for which h^2 (second + 0.3 h third) is at most 16 times the distance. For
+    // the h in brackets, the value for third = 0 is taken. In this form, the quotients need not
+    // wait for the roots.
     const double squared = second / (16 * distance * least_weight);
     const double inner = std::sqrt(squared + 0.3 * third / second * std::sqrt(squared));
     const double steps = std::ceil(std::max(inner + 2 * (1 - flat_step_at_ends), 2.0));
-    // Where one half bends less than the other, uneven steps save more than they cost.
+    // If one half bends less than the other, uneven steps save more than they cost, up to this
+    // number of steps.
     constexpr double most_uneven_steps = 24;
     return {steps, steps > (third < second / 4 ? most_flat_steps : most_uneven_steps)};
 }

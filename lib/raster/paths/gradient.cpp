@@ -108,8 +108,8 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
 }
 
 /// Adds the integral of the colours from one place to another, times a linear weight. The colours
-/// are red, green and blue times alpha, and alpha. Within a piece they are quadratic at most, so
-/// cubic with the weight, and two Gauss points are exact.
+/// are red, green and blue, each times alpha, and alpha. Within a piece they are at most quadratic,
+/// and cubic with the weight. So two Gauss points are exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
     const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;
@@ -127,8 +127,8 @@ void l3d_gradient::add_in_period(double from, double to, double weight_from, dou
     }
 }
 
-/// Adds the integral over any number of periods. All whole periods count as a single one with the
-/// sum of their weights.
+/// Adds the integral over any number of periods. All whole periods are added as one, with the sum
+/// of their weights.
 void l3d_gradient::add(double from, double to, double weight_from, double weight_to,
                        numbers& sum) const {
     if (period_ == 0)
@@ -148,8 +148,8 @@ void l3d_gradient::add(double from, double to, double weight_from, double weight
     add_in_period(0, to - behind, weight_at(behind), weight_to, sum);
 }
 
-/// The mean colour of a square over which the place changes linearly. The density of places in the
-/// square is a trapezoid, which is as wide as both changes together.
+/// The mean colour of a square over which the place in the gradient changes linearly. The density
+/// of places in the square is a trapezoid, as wide as both changes together.
 l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     const double wide = std::max(std::abs(of.right), std::abs(of.down));
     const double narrow = std::min(std::abs(of.right), std::abs(of.down));
@@ -177,8 +177,8 @@ l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     return sum;
 }
 
-/// The place of a colour and its change from pixel to pixel. Along a ray d from the focus f to the
-/// unit circle, the place is 1 / s with |f + s d| = 1.
+/// The place in the gradient of a point, and its change from pixel to pixel. Along a ray d from the
+/// focus f to the unit circle, the place is 1 / s with |f + s d| = 1.
 l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     const l3d_point_2d unit = to_unit_.at(at), &across = to_unit_.across, &down = to_unit_.down;
     if (!radial_)
@@ -195,9 +195,9 @@ l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     return {(along + root) / inside, change(across), change(down)};
 }
 
-/// The number of parts along either axis that a pixel is cut into. If places count as linear in a
-/// square of side h, they err by h^2 / 4 r at r pixels from the focus of a circle. With a focus
-/// beside the middle, or an ellipse for a circle, r counts for less.
+/// The number of parts along each axis into which a pixel is cut. If the place in the gradient is
+/// taken as linear in a square of side h, it errs by h^2 / 4 r at r pixels from the focus of a
+/// circle. With a focus beside the middle, or an ellipse for a circle, r counts for less.
 double l3d_gradient::parts_at(l3d_point_2d at) const {
     constexpr double most = 32, exact = 1.0 / 512;
     const l3d_point_2d unit = to_unit_.at(at);
@@ -209,8 +209,8 @@ double l3d_gradient::parts_at(l3d_point_2d at) const {
 std::uint32_t l3d_gradient::word_at(l3d_point_2d at) const {
     const slope whole = slope_at(at);
     double parts = radial_ ? parts_at(at) : 1;
-    // Between two stops, the mean of a curved run of places differs from its middle by a 24th of
-    // its bend.
+    // Between two stops, the places along a pixel may be curved. Their mean then differs from the
+    // middle by a 24th of the bend.
     const double change = std::abs(whole.right) + std::abs(whole.down);
     constexpr double nothing = 1.0 / 16; // levels
     if (parts > 1 && is_opaque_ && steepest_ * change * parts * parts < 24 * 128 * nothing &&
@@ -257,9 +257,9 @@ l3d_mesh_patch l3d_mesh_patch::coons(const std::array<l3d_point_2d, 12>& around,
         p[3][3 - i] = around[6 + i];
         p[3 - i][0] = around[9 + i];
     }
-    // An inner point depends on the corner next to it, a. The terms are: a, its neighbours on the
-    // borders, the corners beside it, the points opposite of these neighbours, and the corner
-    // opposite of it.
+    // Computes an inner control point from the corner next to it, a. The terms are: a, its
+    // neighbours on the borders, the corners beside it, the points opposite of these neighbours,
+    // and the corner opposite of a.
     const auto inner = [&p](std::size_t row, std::size_t column) {
         const std::size_t r = row == 1 ? 0 : 3, c = column == 1 ? 0 : 3;
         const std::size_t far_r = 3 - r, far_c = 3 - c;

@@ -105,8 +105,7 @@ private:
     l3d_placement_2d to_unit_{}; ///< maps a linear gradient to x from 0 to 1, a circle to radius 1
     double narrowest_ = 1, widest_ = 1; ///< the least and the largest scale of to_unit_
     l3d_point_2d focus_{};              ///< focus, in to_unit_'s coordinates
-    double period_ = 0;                 ///< length after which the gradient repeats; 0 for a padded
-                                        ///< gradient
+    double period_ = 0;                 ///< length after which the gradient repeats; 0 if padded
     std::vector<piece> pieces_;         ///< the pieces of one period, without gaps
 };
 

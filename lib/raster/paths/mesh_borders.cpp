@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// mesh_borders: finds parameters that run along common borders, the same way or the other way.
+// mesh_borders: finds parameters that run along common borders, in the same or in the opposite
+// direction.
 #include "raster/paths/mesh_steps_p.h"
 
 #include "base/directed_sets_p.h"

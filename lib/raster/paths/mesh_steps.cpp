@@ -13,8 +13,8 @@ namespace {
 /// The largest errors of a dicing. A colour may be `place_error` pixels from its place on the
 /// patch. A linear colour may be `level_error` levels from the bilinear one.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
-/// The largest number of steps in a quarter. With these, each triangle of a patch covers some 2^-5
-/// pixels in pictures of 2^14 pixels a side.
+/// The largest number of steps in a quarter. With as many, each triangle of a patch covers some
+/// 2^-5 pixels in pictures of 2^14 pixels a side.
 constexpr int most_steps = 128;
 
 /// One coordinate of a bicubic patch's control points, or of the control vectors of its second
@@ -103,7 +103,7 @@ double longest(const nets& of) {
 }
 
 /// The largest x y a + y z b + z x c for x, y, z >= 0 with the sum 1. If one of a, b and c is at
-/// least the sum of the others, the largest value is in the middle of its side. Else it is inside.
+/// least the sum of the others, the largest value is in the middle of that one's side, else inside.
 double largest_mix(double a, double b, double c) {
     const double most = std::max({a, b, c});
     if (2 * most >= a + b + c)
@@ -122,8 +122,8 @@ struct needed_steps {
 
 /// The steps that keep places within place_error. A linear triangle errs by at most half of the
 /// largest_mix of the second derivatives along its sides. In a cell of side h, these are h^2 times
-/// Suu, Svv and, along the diagonal, Suu +- 2 Suv + Svv. A cell that is shorter along u or v alone
-/// errs by no more (NUMERICS 20).
+/// Suu, Svv and, along the diagonal, Suu +- 2 Suv + Svv. Making a cell shorter only along u, or
+/// only along v, adds no error (NUMERICS 20).
 ///
 /// Source: Waldron: The error in linear interpolation at the vertices of a simplex (SIAM J.
 /// Numerical Analysis 35, 1998).
@@ -143,7 +143,7 @@ needed_steps steps_for_places(const nets& along, const nets& down, const nets& t
 }
 
 /// The steps that keep colours within level_error. In a cell of side h, linear colours err by at
-/// most h^2 / 4 of the twist of the bilinear ones.
+/// most h^2 / 4 times the twist of the bilinear ones.
 double steps_for_colors(const l3d_mesh_patch& patch) {
     int most = 0;
     for (const int shift : {0, 8, 16}) {

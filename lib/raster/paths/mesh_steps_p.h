@@ -19,8 +19,8 @@ bool is_finite(const l3d_mesh_patch& patch);
 /// The numbers of steps along one parameter of a patch. If `whole` is at most `few`, the patch has
 /// that many equal steps. Otherwise each quarter has its own number of steps.
 struct mesh_steps {
-    /// The largest number of equal steps. Beyond it quarters are cheaper, as one step in each makes
-    /// no more segments.
+    /// The largest number of equal steps. More steps cost more than quarters, as one step in each
+    /// quarter makes no more segments.
     static constexpr int few = 4;
 
     int whole = 1;
@@ -43,8 +43,7 @@ struct mesh_knots {
     std::size_t size = 0;
     std::vector<double> at;
     std::array<std::vector<double>, 4> weights; ///< values of the four cubic Bernstein polynomials
-    std::vector<std::size_t> quarter;           ///< the quarter in which the step that ends here
-                                                ///< lies
+    std::vector<std::size_t> quarter;           ///< the quarter that holds the step that ends here
 
     void set(const mesh_steps& steps);
 };

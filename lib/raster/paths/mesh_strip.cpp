@@ -32,7 +32,7 @@ using condition = hn::Mask<eight_doubles>;
 enum : std::int32_t { left_to_others = 0, empty = 1, to_be_filled = 2 };
 
 /// The largest change of a channel from a lattice unit to the next: 2^12 levels over small_side. So
-/// a sum is below 2^13, and a few roundings of it in float are below 2^-9.
+/// sums are below 2^13, and the error of a few roundings in float is below 2^-9.
 constexpr double most_change = 4096.0 / (small_side * l3d_subpixel_one);
 /// The largest difference of a bilinear colour from the linear one, anywhere in a triangle's box.
 constexpr double most_bend = 4096;
@@ -45,8 +45,8 @@ struct set_up_triangles {
     alignas(64) integers_of_all state, left, top, columns, rows;
     alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< edge functions
     alignas(64) std::array<floats_of_all, 3> start, across, down;          ///< linear colours
-    /// Twist of a bilinear colour. In each place, `twist` times the shares of the two corners on
-    /// the diagonal is added to the linear colour.
+    /// The twist of a bilinear colour. At each place, it adds `twist` times the shares of the two
+    /// corners on the diagonal to the linear colour.
     alignas(64) std::array<floats_of_all, 3> twist;
     struct share {
         floats_of_all start, across, down;
@@ -105,8 +105,8 @@ public:
 private:
     using floats_of_all = set_up_triangles::floats_of_all;
 
-    /// From this number on, floats are whole numbers. So its sum with a level is rounded to the
-    /// nearest, and the lowest bits are the level. All other bits are in the highest byte.
+    /// From this number on, floats are whole numbers. So adding it to a level rounds the level to
+    /// the nearest, and leaves it in the lowest bits. All other bits are in the highest byte.
     static constexpr float whole_floats = 0x1p23F;
 
     static constexpr auto floats = Lanes::floats;
@@ -219,7 +219,7 @@ HWY_ATTR HWY_INLINE void put(const lane_plane& plane, set_up_triangles::floats_o
 }
 
 /// Sets up the colours of triangles whose first and last corners are on the diagonal. Returns the
-/// lanes where they do not change too fast.
+/// lanes whose colours do not change too fast.
 HWY_ATTR HWY_INLINE condition put_colors(const lane_corner& p, const lane_corner& q,
                                          const lane_corner& r, const std::array<number, 3>& twist,
                                          number area, number width, number height,

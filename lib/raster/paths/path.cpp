@@ -16,7 +16,7 @@ void l3d_path::move_to(l3d_point_2d to) {
     open_ = true;
 }
 
-/// Begins an outline if none is open: after close, at the place where the last one began.
+/// Begins an outline if none is open. After close, it begins where the closed one began.
 void l3d_path::begin_if_needed() {
     if (!open_)
         move_to(first_);

@@ -134,9 +134,9 @@ void path_chains::add_blocks(std::size_t last) {
 
 /// Cuts the present outline into two chains. Does nothing and returns false if it turns more often.
 ///
-/// A chain begins at an edge that is not level, where the last such edge led the other way. The
-/// outline's corners before the first turn are repeated after its last corner, so that each
-/// chain's corners lie side by side. Expects: not all edges are level.
+/// A chain begins at the first edge after the outline turned from up to down, or from down to up;
+/// level edges do not count. The outline's corners before the first turn are repeated after its
+/// last corner, so that each chain's corners lie side by side. Expects: not all edges are level.
 bool path_chains::add_pair(std::size_t last) {
     // The next edge that leads the other way, or the last corner.
     const auto turn_from = [](const l3d_point_2d* at, const l3d_point_2d* end, bool down) {
@@ -182,8 +182,8 @@ void path_chains::sort() {
     std::ranges::sort(outlines_, {}, [](const outline& o) { return o.box.top; });
 }
 
-/// Finds the outlines that overlap no other one. Goes through them by their tops, and compares each
-/// with those that have begun and not ended.
+/// Finds the outlines that overlap no other one. It goes through the outlines in the order of their
+/// tops, and compares each with those that have begun and not ended.
 void path_chains::find_apart() {
     if (std::ranges::none_of(outlines_, &outline::is_pair))
         return;

@@ -19,8 +19,8 @@ namespace l3d_detail {
 /// A run of an outline's corners, from top to bottom.
 struct corner_run {
     const l3d_point_2d* first = nullptr;
-    std::ptrdiff_t step = 1; ///< step in memory to the next corner: 1, or -1 where the outline
-                             ///< leads up
+    /// Step in memory to the next corner: 1, or -1 if the outline leads up.
+    std::ptrdiff_t step = 1;
     std::size_t count = 0;
 
     bool empty() const { return count == 0; }
@@ -35,9 +35,9 @@ struct corner_run {
 struct row_piece {
     double left, right; ///< the piece lies between these x
     l3d_point_2d enters, leaves;
-    corner_run corners;    ///< corners between its ends
-    std::int8_t direction; ///< 1 if the outline leads upwards here, which adds 1 to the winding on
-                           ///< the right; else -1
+    corner_run corners; ///< corners between its ends
+    /// 1 if the outline leads up, adding 1 to the winding on the right; else -1.
+    std::int8_t direction;
 
     /// Calls edge(from, to) for each edge of the piece from top to bottom; some edges are level.
     template <class Edge> void visit(const Edge& edge) const {
@@ -75,7 +75,7 @@ public:
     std::int32_t bottom() const { return bottom_; }
     /// The place where the chain enters the picture.
     const l3d_point_2d& begin() const { return begin_; }
-    /// 1 if the outline leads upwards here, which adds 1 to the winding on the right; else -1.
+    /// 1 if the outline leads up here, which adds 1 to the winding number on the right; else -1.
     std::int8_t direction() const { return static_cast<std::int8_t>(-step_); }
     /// The next corner to which the chain leads, the place behind its last corner, and the step in
     /// memory between corners.
@@ -123,10 +123,9 @@ public:
     struct outline {
         l3d_pixel_box box;               ///< the box of all pixels that it reaches
         std::size_t first_block, blocks; ///< its first block, and how many
-        std::size_t chains;              ///< the first of its two chains; `none` if it is not cut
-                                         ///< into two
-        std::uint8_t layer;              ///< 0: of the filled path; 1: of its clip path
-        bool apart;                      ///< set by find_apart: its box meets no other outline's
+        std::size_t chains; ///< the first of its two chains; `none` if it is not cut into two
+        std::uint8_t layer; ///< 0: of the filled path; 1: of its clip path
+        bool apart;         ///< set by find_apart: its box meets no other outline's
 
         static constexpr std::size_t none = ~std::size_t{0};
         bool is_pair() const { return chains != none; }

@@ -11,8 +11,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Whether it is certain that no point of `left` lies right of the point of `right` at the same
-/// height. Both span the same heights. With level edges it is never certain.
+/// Whether `left` certainly has no point right of the point of `right` at the same height. Both
+/// span the same heights. With level edges, it is never certain.
 bool is_left_of(const row_piece& left, const row_piece& right) {
     // Both are straight between their corners, so comparing corners is enough.
     const auto is_before = [](const row_piece& corners, const row_piece& edges, double way) {
@@ -72,7 +72,7 @@ void path_scan::take_outlines(const l3d_path& path, std::uint8_t layer) {
         [&](bool) { chains_.end(layer); });
 }
 
-/// Adds those outlines of two chains that no other outline comes near.
+/// Adds the outlines of two chains that no other outline comes near.
 void path_scan::add_pairs() {
     chains_.find_apart();
     for (const path_chains::outline& o : chains_.outlines())
@@ -167,7 +167,7 @@ void path_scan::add_border(const row_piece& piece, int sign) {
 }
 
 /// Adds up the sums from left to right, stores the values of the coverage, and sets the sums back
-/// to 0. Takes the coverage on the columns' left, and returns that on their right.
+/// to 0. `covered` is the coverage left of the columns; returns that right of them.
 double path_scan::add_values(std::int32_t row, double left, double right, double covered) {
     const auto first = static_cast<std::int32_t>(left), last = static_cast<std::int32_t>(right);
     std::uint8_t* value = writer_.add_values(row, first, last + 1);

@@ -47,7 +47,7 @@ public:
     /// Lives:   until the next call.
     std::span<const covered_span> convert(const order& wanted);
 
-    /// The values of columns that have a value each. After a span's values, as many more may be
+    /// The values of columns that have a value each. Behind a span's values, as many more may be
     /// read as a vector has 32-bit lanes.
     const std::uint8_t* values() const { return writer_.values().data(); }
 

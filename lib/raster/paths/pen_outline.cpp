@@ -10,15 +10,15 @@
 namespace l3d_detail {
 namespace {
 
-/// The limit of a pen's width, the largest coordinate of paths. Such a pen covers every picture,
-/// and arcs of wider pens would have ever more pieces.
+/// The limit of a pen's width, which is the largest coordinate of paths. A pen of this width covers
+/// every picture, and arcs of wider pens would have ever more pieces.
 constexpr double widest_pen = 1 << 30;
 
 /// The largest turn between neighbouring points of an arc that keeps the error of a pixel's area
-/// within l3d_flat_enough. Chords of a turn u add up to an error of r^2 u^3 / (81 sqrt 2) to one
-/// side before the other side makes up for it. That may happen four times in a pixel. For large
-/// circles, the distance of chords from the rim allows more, as the rim is at most sqrt 2 pixels
-/// long in a pixel. See NUMERICS.md, section 20.
+/// within l3d_flat_enough. Chords of a turn u lose up to r^2 u^3 / (81 sqrt 2) on one side before
+/// the other side makes up for it. That may happen four times in a pixel. For large circles, the
+/// distance of chords from the rim allows more, as at most sqrt 2 pixels of the rim are in a pixel.
+/// See NUMERICS.md, section 20.
 double most_turn(double radius) {
     constexpr double root = std::numbers::sqrt2;
     const double by_area = std::cbrt(81 * root / 4 * l3d_flat_enough / (radius * radius));
@@ -32,8 +32,8 @@ l3d_point_2d opposite(l3d_point_2d direction) {
 
 } // namespace
 
-/// Finds the largest turn of an arc that needs no points between its ends. An arc of angle a is r
-/// (1 - cos(a / 2)) away from its chord, at most r a^2 / 8.
+/// Finds the largest turn of an arc that needs no points between its ends. An arc of angle a is at
+/// most r (1 - cos(a / 2)), and so at most r a^2 / 8, away from its chord.
 pen_outline::pen_outline(const l3d_stroke& pen, l3d_path& result)
     : pen_(pen), result_(result), radius_(std::min(pen.width, widest_pen) / 2),
       most_angle_(std::min(std::sqrt(8 * l3d_flat_enough / radius_), std::numbers::pi / 4)),
@@ -116,7 +116,7 @@ void pen_outline::add_ends(l3d_point_2d at, l3d_point_2d direction) {
     right_.push_back(beside(at, opposite(direction)));
 }
 
-/// Adds a joint on both sides. The right side is the left one of the way back.
+/// Adds a joint on both sides. The right side is the left side of the way back.
 void pen_outline::add_joint(const chord& before, const chord& after) {
     if (add_flat_joint(before, after))
         return;

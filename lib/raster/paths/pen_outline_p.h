@@ -23,7 +23,7 @@ struct pen_point {
 /// chain, or two if the chain is closed.
 ///
 /// An outline is the sum of a rectangle for each chord and a wedge for each joint, all wound in the
-/// same direction. For that, it passes through the joint itself on the joint's inner side. So the
+/// same direction. Therefore, it passes through the joint itself on the joint's inner side. So the
 /// winding number of each covered place is 1 or more, and never returns to 0.
 class pen_outline {
 public:
@@ -44,9 +44,9 @@ private:
     /// The place where two chords meet.
     struct joint {
         l3d_point_2d at;
-        l3d_point_2d ends, begins; ///< direction at the first one's end, and at the second one's
-                                   ///< beginning
-        double shortest;           ///< the length of the shorter chord
+        /// Directions at the end of the first chord and at the beginning of the second one.
+        l3d_point_2d ends, begins;
+        double shortest; ///< the length of the shorter chord
         l3d_join join;
     };
 
@@ -86,8 +86,8 @@ private:
     std::vector<chord> chords_;
     side left_, right_; ///< the sides of the present outline
     std::vector<l3d_point_2d> turns_;
-    std::vector<l3d_point_2d> half_turn_; ///< points of the arc of all round caps; empty before the
-                                          ///< first one
+    /// Points of the arc of round caps; empty before the first cap.
+    std::vector<l3d_point_2d> half_turn_;
 };
 
 } // namespace l3d_detail

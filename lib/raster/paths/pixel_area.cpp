@@ -39,13 +39,13 @@ void pixel_area::add(const edge_record* all, std::uint32_t last, std::size_t lay
         edges_.first_clip = edges_.count;
 }
 
-/// Finds bounds of the windings, relative to the corner's, from the visits.
+/// Finds bounds of the winding number, relative to that at the pixel's corner, from the visits.
 ///
-/// A visit is an outline's passage through the pixel, from side to side. On one side of it, the
-/// higher one, the winding is higher by 1 than on the other. A visit that adds less than 0 has the
-/// pixel's top left corner on its higher side. Two successive edges whose corner lies outside the
-/// pixel do not cross inside. If they turn to the right, each place is on the higher side of at
-/// least one of them. If they turn to the left, each place is on the lower side of at least one.
+/// A visit is an outline's passage through the pixel, from side to side. The winding number on its
+/// higher side is larger by 1 than on the other side. If a visit adds less than 0, the pixel's top
+/// left corner is on its higher side. Two successive edges whose corner lies outside the pixel do
+/// not cross inside. If they turn to the right, each place is on the higher side of at least one of
+/// them. If they turn to the left, each place is on the lower side of at least one.
 pixel_area::windings_range pixel_area::find_range() const {
     constexpr double unclear = 1e-9, surely = 1e-10; // far above rounding
     windings_range range;
@@ -53,7 +53,7 @@ pixel_area::windings_range pixel_area::find_range() const {
     bool are_shares_clear = true;        // whether each visit has places on both sides
     double adds = 0;
     int edges_of_visit = 0;
-    const edge_block* alone = nullptr; // the edge before, if it is a visit and in no pair
+    const edge_block* alone = nullptr; // the edge before, if it is a visit by itself and in no pair
     std::size_t lane_of_alone = 0;
     edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t) {
         adds += b.adds[lane];
@@ -100,7 +100,7 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
             beside.turns[0] += static_cast<int>(b.up_left[lane]);
             beside.turns[1] -= static_cast<int>(b.up_left[lane]);
         });
-    // The sum without the parts of the pixel's edges is the winding at the pixel's corner.
+    // Without the parts of the pixel's edges, the sum is the winding number at the pixel's corner.
     const windings at_corner{{static_cast<int>(std::lrint(sums[0] - left[0])),
                               static_cast<int>(std::lrint(sums[1] - left[1]))}};
     for (std::size_t layer = 0; layer < 2; ++layer)
@@ -110,7 +110,7 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
         return rules.same_between({{at_corner.turns[0] + range.least}},
                                   {{at_corner.turns[0] + range.most}});
     };
-    // Each visit adds its share, half on average, to a sum that begins with the least winding.
+    // The sum is the least winding number plus each visit's share, half on average.
     const bool is_clear = !rules.clips && visits < unclear_visits;
     const bool is_likely = is_clear && visits <= 2 * std::abs(sums[0]);
     if (is_likely && is_same())
@@ -143,9 +143,9 @@ row_edge pixel_area::border(const edge_block& b, std::size_t lane, std::size_t i
             static_cast<std::uint8_t>(edges_.layer(i))};
 }
 
-/// The area inside, from the parts of edges with the inside on one side alone. `beside` are the
-/// windings on the left of all edges. Returns nothing if two edges are so close that rounding may
-/// confuse which one is on the left.
+/// The covered area, from the parts of edges that have the inside on only one side. `beside` are
+/// the winding numbers left of all edges. Returns nothing if two edges are so close that rounding
+/// may confuse which one is on the left.
 std::optional<double> pixel_area::between_borders(const windings& corner, const windings& beside,
                                                   const fill_rules& rules) {
     constexpr double same = 1e-12, close = 1e-7;
@@ -218,7 +218,8 @@ std::optional<double> pixel_area::between_borders(const windings& corner, const 
     return is_close ? std::nullopt : std::optional(area);
 }
 
-/// Finds the changes of the windings down the pixel's left side, where edges come to it.
+/// Finds the changes of the winding numbers down the pixel's left side, at the ends of edges that
+/// lie on it.
 void pixel_area::find_changes() {
     changes_.clear();
     edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t i) {
@@ -231,7 +232,7 @@ void pixel_area::find_changes() {
     sort_few(changes_, is_higher);
 }
 
-/// The area inside by the windings at the pixel's left side alone, as if there were no edges.
+/// The covered area that the winding numbers at the pixel's left side would give without any edges.
 double pixel_area::on_left(windings beside, const fill_rules& rules) const {
     double area = 0, top = 0;
     for (const winding_change& c : changes_.all()) {

@@ -17,30 +17,32 @@ namespace l3d_detail {
 
 /// Finds the exact covered area of a pixel from all edges that reach it.
 ///
-/// Bounds of the windings often tell that all of the pixel is inside, or nothing. Where many
-/// outlines pass under the nonzero rule, parts of the pixel, and often all, are proven to lie
-/// inside.
+/// Bounds of the winding number often prove that the whole pixel lies inside or outside. Where many
+/// outlines pass under the nonzero rule, they prove so for parts of the pixel, and often for all.
 ///
-/// Otherwise the borders of the inside are found: along each edge, the winding on its left changes
-/// where other edges cross it, begin or end. The parts with the inside on one side alone add to the
-/// area. If rounding may tell wrong which edge is on the left, the pixel is cut into slabs.
+/// Otherwise the borders of the inside are found. Along each edge, the winding number on its left
+/// changes where other edges cross it, begin or end. Parts of the edge with the inside on one side
+/// only add to the area. If rounding may tell wrong which edge is on the left, the pixel is cut
+/// into slabs.
 /// Cost:    the square of the number of edges. Slabs take n log n for n edges, times their number.
 class pixel_area {
 public:
     /// Begins a pixel without edges.
     void begin() { blocks_.clear(), edges_ = {}; }
 
-    /// Adds the edges of a layer that reach the pixel: `last` of all records, and those before it.
+    /// Adds the edges of a layer that reach the pixel. Their records are a list in `all`: the one
+    /// with index `last`, its `before`, and so on.
     void add(const edge_record* all, std::uint32_t last, std::size_t layer);
 
-    /// The area inside, from 0 to 1, of the pixel whose top left corner is given. `sums` are the
-    /// integrals of both layers' windings over the pixel; they tell the windings at its corner.
+    /// The area inside, from 0 to 1, of the pixel with this top left corner. `sums` are the
+    /// integrals of both layers' winding numbers over the pixel, from which those at its corner
+    /// follow.
     double inside(const l3d_point_2d& corner, const std::array<double, 2>& sums,
                   std::uint32_t visits, const fill_rules& rules);
 
 private:
     static constexpr std::uint64_t all_fields = ~std::uint64_t{0};
-    /// The least and the most winding anywhere in the pixel.
+    /// The least and the largest winding number in the pixel.
     struct windings_range {
         int least = 0, most = 0;
     };

@@ -21,8 +21,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The fields of a pixel, and a margin far above rounding: edges that are so near a field count as
-/// in it.
+/// The numbers of fields in a pixel, and a margin far above rounding. An edge within the margin of
+/// a field counts as in it.
 constexpr int rows = 8, columns = 8;
 constexpr double margin = 1e-9;
 constexpr std::uint64_t all_in_row = (1U << columns) - 1;
@@ -110,11 +110,11 @@ edge_sums place_in_lanes(const pixel_edges& edges, const l3d_point_2d& corner) {
     return {sum(own), sum(before)};
 }
 
-/// Each field has a lower bound of its windings. An edge that makes the winding fall counts from
-/// the first field on that it may reach. One that makes it rise counts after the last field that it
-/// may reach.
+/// Finds a lower bound of the winding number in each field, by counting edges on its left. An edge
+/// that lowers the number on its right counts from the first field that it may reach. An edge that
+/// raises it counts only in fields right of the last that it may reach.
 ///
-/// Bounds are counted in all fields at once: word i has the bits 2^i of their counters.
+/// The bounds of all fields are counted at once: word i has bit i of each field's counter.
 std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign) {
     const lane_words du;
     const std::size_t most = edges.count + static_cast<std::size_t>(std::abs(beside));

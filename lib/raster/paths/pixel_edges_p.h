@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// How an outline comes to be in a pixel where an edge begins.
+/// The way by which an outline reaches the place in a pixel at which an edge begins.
 enum class cell_begin : std::uint8_t {
     enters,      ///< by a side other than the left one, or by one that is not known
     continues,   ///< it continues the edge before
@@ -30,31 +30,33 @@ struct edge_record {
 
     l3d_point_2d from, to;
     std::uint32_t before; ///< the record that came before it in this pixel; 0 for none
-    std::uint32_t edge;   ///< its index above mark_bits; how it begins, as cell_begin; and
-                          ///< leaves_left if it leaves by the pixel's left side
+    /// The edge's index above mark_bits, its cell_begin, and leaves_left if it leaves by the left
+    /// side.
+    std::uint32_t edge;
 
     std::uint32_t index() const { return edge >> mark_bits; }
 };
 
 /// Edges of a pixel, a lane each.
 ///
-/// If an edge's upper end lies on the pixel's left side, the edge goes on upwards along that side;
-/// if its lower end does, it goes on downwards. So the winding does not change where the edge meets
-/// the side. A level edge counts by this part on the side alone.
-/// Units:   x and y from 0 to 1, seen from the pixel's top left corner.
+/// The winding number must not change where an edge meets the pixel's left side. So an edge whose
+/// upper end lies on that side goes on upwards along it, and one whose lower end does goes on
+/// downwards. A level edge counts by this part on the side alone.
+/// Units:   x and y from 0 to 1, from the pixel's top left corner.
 struct alignas(64) edge_block {
     static constexpr std::size_t size = 8;
     using numbers = std::array<double, size>;
 
-    numbers x0, y0, x1, y1;     ///< the upper and the lower end; until place_edges, the begin and
-                                ///< the end, in the picture
-    numbers slope;              ///< dx / dy; 0 if level
-    numbers turns;              ///< 1 if it leads upwards, which adds 1 to the winding on its
-                                ///< right; else -1; 0 if it is level and apart from the left side
-    numbers up_left, down_left; ///< the same if the upper, or the lower, end lies on the left side,
-                                ///< else 0
-    numbers adds;               ///< its part of the integral of the windings
-    numbers top, bottom;        ///< the heights between which it may be a border
+    /// Upper and lower end; before place_edges, begin and end in the picture.
+    numbers x0, y0, x1, y1;
+    numbers slope; ///< dx / dy; 0 if level
+    /// 1 if it leads upwards, which adds 1 to the winding on its right; else -1; 0 if it is level
+    /// and apart from the left side.
+    numbers turns;
+    /// As `turns`, if the upper or lower end is on the left side; else 0.
+    numbers up_left, down_left;
+    numbers adds;                         ///< its part of the integral of the winding number
+    numbers top, bottom;                  ///< the heights between which it may be a border
     std::array<std::uint32_t, size> edge; ///< as in the record
 
     double x_at(std::size_t lane, double y) const {
@@ -88,23 +90,23 @@ struct pixel_edges {
     }
 };
 
-/// The sums of all edges: their parts of the integrals, and the windings on the left of all of
-/// them, less those of the pixel's corner.
+/// Sums over all edges of a pixel: `own` is their part of the integral of the winding number.
+/// `before` is the winding number on the left of all edges, less that at the pixel's corner.
 struct edge_sums {
     double own, before;
 };
 
-/// Places the edges in the pixel whose top left corner is given, and computes all other members.
+/// Places the edges in the pixel with this top left corner, and computes all other members.
 /// Rounding never puts them beyond the pixel.
 edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 
-/// Finds the fields of a pixel in which the winding may be 0, a bit for each, row by row: 8 rows of
-/// 8. `beside` is the winding on the left of all edges. `sign` is -1 if negated windings are to be
-/// bounded, else 1. Expects: all edges are of layer 0.
+/// Finds the fields of a pixel in which the winding number may be 0. It returns a bit for each
+/// field, row by row: 8 rows of 8. `beside` is the winding number on the left of all edges. `sign`
+/// is -1 if negated winding numbers are bounded, else 1. Expects: all edges are of layer 0.
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
 
-/// Sets the heights between which each edge may pass such fields, to an empty range if there are
-/// none.
+/// Sets each edge's `top` and `bottom` to the heights between which it may pass fields of
+/// find_open; an empty range if it passes none.
 void set_heights(const pixel_edges& edges, std::uint64_t open);
 
 } // namespace l3d_detail

@@ -79,8 +79,8 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
         add_ordered(chords_, top, bottom, left, rules);
         return;
     }
-    // Chords of two groups do not cross if all lower ends of the left group are left of those of
-    // the other.
+    // Chords of two groups do not cross if all lower ends of the left group are left of all lower
+    // ends of the right group.
     least_after_.resize(chords_.size() + 1);
     least_after_.back() = std::numeric_limits<double>::infinity();
     for (std::size_t i = chords_.size(); i-- > 0;)
@@ -98,7 +98,7 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
 }
 
 /// Adds chords that cross. Two neighbouring chords change places at a crossing, and the inside
-/// changes along these two alone.
+/// changes only along these two.
 windings row_areas::add_crossing(std::span<const chord> chords, double top, double bottom,
                                  const windings& left, const fill_rules& rules) {
     find_crossings(chords, top, bottom);

@@ -15,7 +15,7 @@
 
 namespace l3d_detail {
 
-/// Sorts a list that mostly has few elements.
+/// Sorts a list, which mostly has few elements.
 template <class List, class Less> void sort_few(List& of, const Less& less) {
     constexpr std::size_t few = 16; // insertion takes up to n^2 / 4 moves
     if (of.size() > few)
@@ -33,9 +33,9 @@ template <class List, class Less> void sort_few(List& of, const Less& less) {
 /// Units:   x in pixels from the picture's left side, y from 0 to 1 down the row; y0 <= y1.
 struct row_edge {
     double x0, y0, x1, y1;
-    std::int8_t direction; ///< 1 if the outline leads upwards, which adds 1 to the winding on the
-                           ///< right; else -1
-    std::uint8_t layer;    ///< 0: an edge of the filled path; 1: of its clip path
+    /// 1 if the outline leads upwards, which adds 1 to the winding on the right; else -1.
+    std::int8_t direction;
+    std::uint8_t layer; ///< 0: an edge of the filled path; 1: of its clip path
 };
 
 /// The winding numbers of a place: in the filled path, and in the path that clips it.
@@ -57,8 +57,7 @@ struct fill_rules {
         return layer_inside(w, 0) && (!clips || layer_inside(w, 1));
     }
 
-    /// Whether all windings between two bounds are surely on the same side: all inside, or all
-    /// outside.
+    /// Whether all winding numbers between two bounds are surely alike: all inside, or all outside.
     bool same_between(const windings& low, const windings& high) const {
         const bool first = layer_same(low, high, 0);
         if (!clips)
@@ -79,7 +78,7 @@ private:
     }
 };
 
-/// A change of the windings along the left side of some edges, at a height and below.
+/// A change of the winding numbers on the left of some edges, from a height downwards.
 struct winding_change {
     double y;
     std::int8_t direction;
@@ -98,16 +97,16 @@ public:
     /// Sets the columns to 0 to width - 1. Expects: all sums are 0, as callers leave them.
     void set_width(std::int32_t width);
 
-    /// Adds the edges of a cluster. `left` has the windings on the left of all edges at the row's
-    /// top. `changes` lists from top to bottom how these change down the row.
+    /// Adds the edges of a cluster. `left` has the winding numbers on the left of all edges at the
+    /// row's top. `changes` lists, from top to bottom, how these change down the row.
     ///
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
-    /// two cuts edges have an order from left to right. Edges count only if one side is inside and
-    /// the other outside.
+    /// two cuts, edges have an order from left to right. An edge counts only if one side is inside
+    /// and the other outside.
     void add_cluster(std::span<const row_edge> edges, const windings& left, const fill_rules& rules,
                      std::span<const winding_change> changes = {});
 
-    /// Adds a single border, whatever else is added. The height is negative if the inside is on the
+    /// Adds a single border, independent of others. The height is negative if the inside is on the
     /// left.
     void add_border(double x0, double x1, double height);
 
@@ -151,8 +150,8 @@ private:
     std::vector<track> tracks_;
     std::vector<windings> before_; ///< the windings on the left of each place
     std::vector<std::size_t> by_lower_;
-    std::vector<double> least_after_; ///< for each chord, the least lower end among it and those
-                                      ///< after it
+    /// For each chord, the least lower end of it and the chords after it.
+    std::vector<double> least_after_;
     std::vector<const row_edge*> sorted_;
 };
 
@@ -167,7 +166,7 @@ inline void row_areas::add_border(double x0, double x1, double height) {
         sum[1] += beyond;
         return;
     }
-    // From left to right: `passed` is how much of the height lies left of a column's right side.
+    // From left to right, `passed` is the part of the height on the left of a column's right side.
     const double per_column = height / (right - left);
     if (first + 1 == last) {
         const double passed = (last - left) * per_column, rest = height - passed;

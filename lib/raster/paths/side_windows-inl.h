@@ -96,7 +96,7 @@ struct side_lanes {
         }
     }
 
-    /// The rows that have a corner number i.
+    /// The rows with at least i + 1 corners.
     HWY_ATTR HWY_INLINE mask has(std::size_t i) const {
         return hn::Gt(corners.v, hn::Set(eight_doubles(), static_cast<double>(i)));
     }
@@ -110,9 +110,9 @@ struct window {
     alignas(64) double areas[most_groups * group][rows];
     std::int32_t words[most_groups][rows]; ///< values of pixels, four in a word
     std::int32_t first[rows];
-    std::int32_t used[rows];  ///< number of columns that have values, a multiple of a group's
-    std::int32_t known[rows]; ///< number of columns that have areas; the columns after them have
-                              ///< the whole height
+    std::int32_t used[rows]; ///< number of columns that have values, a multiple of a group's
+    /// Number of columns that have areas; columns after them have the whole height.
+    std::int32_t known[rows];
 };
 
 /// The sums that give a chain's areas: for each column, the area right of the chain and left of the

@@ -21,8 +21,8 @@ void span_writer::add_span(std::int32_t row, std::int32_t first, std::int32_t en
         spans_.push({row, first, end, end, end, 0, values_.size()});
 }
 
-/// Whether the last span ends at a place with columns of one value each, and its values are the
-/// newest. Such a span can grow.
+/// Whether the last span can grow at this place: it ends there, with columns of one value each, and
+/// its values are the newest.
 bool span_writer::ends_at(std::int32_t row, std::int32_t column) {
     if (spans_.size() == 0)
         return false;

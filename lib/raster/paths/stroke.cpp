@@ -28,9 +28,9 @@ l3d_point_2d unit(l3d_point_2d v) {
     return length > 0 ? l3d_point_2d{v.x / length, v.y / length} : l3d_point_2d{};
 }
 
-/// The vector between two points, divided by the square of its length. The sum of two of these, for
-/// neighbouring chords of a circle, has the circle's direction where they meet. For each chord
-/// turns from the circle there by half the angle of its arc.
+/// The vector between two points, divided by the square of its length. For neighbouring chords of a
+/// circle, the sum of two such vectors has the circle's direction where the chords meet. For the
+/// circle turns from each chord by half the angle of the chord's arc.
 l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
     const double x = to.at.x - from.at.x, y = to.at.y - from.at.y, square = x * x + y * y;
     return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};
@@ -108,8 +108,8 @@ bool has_too_many_dashes(const l3d_path& path, const l3d_stroke& pen, double sum
            static_cast<double>(most_dashes);
 }
 
-/// The part of a chord that may lie in a picture, in lengths from the chord's begin. It is within
-/// `reach` of the largest picture in both x and y. Source: Liang, Barsky 1984.
+/// The part of a chord that may lie in a picture, in lengths from the chord's beginning. It is
+/// within `reach` of the largest picture in both x and y. Source: Liang, Barsky 1984.
 struct seen_part {
     double begin = 0, end;
 
@@ -224,7 +224,7 @@ private:
             turn(dash_.points.back(), ends.last);
     }
 
-    /// In a gap: the length ahead that can be skipped, in whole periods of dashes that no picture
+    /// The length ahead that can be skipped in a gap: whole periods of dashes that no picture
     /// shows. It ends a period before the visible part, or before the chord's end.
     double left_out(l3d_point_2d from, l3d_point_2d direction, double whole, double done) const {
         const seen_part seen(from, direction, whole, 2 * pen_.width);

@@ -87,8 +87,8 @@ void face_painter::begin_triangle(const l3d_painted_model& model,
         flat_color_ = flat_color_ << 8 | tables.level(channel);
 }
 
-/// The place of the texture that a pixel shows. With u = n / d, both linear, a step in x changes u
-/// by (n_x - u d_x) / d.
+/// The place in the texture that a pixel shows. With u = n / d, where n and d are linear, a step in
+/// x changes u by (n_x - u d_x) / d.
 /// Expects: shares that add up to d.
 l3d_texture_place face_painter::place_at(const std::array<double, 3>& shares) const {
     const double over = 1 / (shares[0] + shares[1] + shares[2]);

@@ -19,9 +19,9 @@
 
 namespace l3d_detail {
 
-/// Finds the colours of painted triangles and of materials by their numbers ("names"), as in
-/// l3d_face_paints. It keeps the planes of the last triangle, which neighbouring pixels mostly
-/// share.
+/// Finds the colour of a painted triangle in each pixel, or that of a material. Both go by their
+/// numbers ("names"), as in l3d_face_paints. It keeps the planes of the last triangle, which
+/// neighbouring pixels mostly share.
 /// Lives: borrows paints and materials; belongs to one worker.
 class face_painter {
 public:
@@ -32,7 +32,7 @@ public:
     }
 
     /// The colour of a name at a place of the picture, 0x00RRGGBB. A place outside of the triangle
-    /// gets the colour on the nearest side.
+    /// gets the colour of the nearest point on its sides.
     /// Units: pixels from the top left corner.
     std::uint32_t color(std::uint32_t name, double x, double y) {
         one_.names[0] = name;
@@ -42,7 +42,8 @@ public:
         return words()[0];
     }
 
-    /// The same for pixels of a row: words() are the colours of those that show something.
+    /// Finds the colours of pixels of a row: afterwards, words() has them for pixels that show
+    /// something.
     void paint(const named_pixels& pixels);
     const std::uint32_t* words() const { return batch_.words(); }
 
@@ -73,12 +74,10 @@ private:
     std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
     const l3d_painted_triangle* triangle_ = nullptr; ///< null if the whole polygon has flat_color_
     const l3d_texture* texture_ = nullptr;
-    std::array<plane, 3> sides_{};             ///< a function for each corner, 0 on the opposite
-                                               ///< side
-    plane u_{0.0}, v_{0.0}, all_{0.0};         ///< u and v, each times all_; and all_, the sum of
-                                               ///< sides_
-    std::array<l3d_light_color, 3> corners_{}; ///< the light of the corners' colours times the
-                                               ///< material's
+    std::array<plane, 3> sides_{};     ///< a function for each corner, 0 on the opposite side
+    plane u_{0.0}, v_{0.0}, all_{0.0}; ///< u and v, each times all_; all_ is the sum of sides_
+    /// Light of the corners' colours times the material's.
+    std::array<l3d_light_color, 3> corners_{};
 };
 
 /// A lit_shader for frames with painted triangles.

@@ -16,8 +16,8 @@ using vector = l3d_inspected_patches::vector;
 
 constexpr double degrees = 180 / std::numbers::pi;
 
-/// How far a point is from the ray through a pixel, along the picture's axes. For a direction, it
-/// is the change of that distance along the direction.
+/// The distance of a point from the ray through a pixel, along the picture's axes. For a direction,
+/// it is the change of that distance along the direction.
 struct offset {
     double x, y;
     offset(const vector& of, const vector& ray)
@@ -56,7 +56,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v) {
     const vector ray = frame.ray(x, y);
-    // Each step doubles the exact digits. Guesses are right up to a part of a quad.
+    // Each step doubles the number of exact digits. A guess is at most a part of a quad away.
     constexpr int most_steps = 12;
     constexpr double farthest = 0.5; // from the guess; points further away are on another sheet
     constexpr double exact = 1e-6;   // pixels: the largest offset that may remain

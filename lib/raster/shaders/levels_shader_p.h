@@ -52,10 +52,11 @@ public:
         return std::min(grey, 255u) * 0x010101u;
     }
 
-    /// A bound for the error of levels, compared with those of the true parameters. Weights of
-    /// corners that add up to 1 change by (ratio - 1) / 4 at most if each is multiplied by its
-    /// corner's w, where ratio is the largest w by the least. They weight levels in the range of
-    /// all numbers.
+    /// A bound for the error of levels, as the change of w over the polygon is neglected. A level
+    /// is a mean of the corners' numbers, with weights that add up to 1. The true weights are these
+    /// times the corners' w, scaled to add up to 1. They differ by (ratio - 1) / 4 at most, where
+    /// ratio is the largest w by the least. So the error is at most this times the range of the
+    /// numbers.
     float error() const { return error_; }
 
 private:
@@ -113,8 +114,9 @@ private:
                4 * (a * b * bends_[0] + a * c * bends_[1] + b * c * bends_[2]);
     }
 
-    /// The level in a quad. Let h be the way from corner a, and h = s U + t V + s t T for the sides
-    /// U, V and the twist T. So (h - t V) x (U + t T) = 0, which is a quadratic equation for t.
+    /// The level in a quad. Let h be the vector from corner a to the place, U and V the sides, and
+    /// T the twist. Then h = s U + t V + s t T. So (h - t V) x (U + t T) = 0, which is a quadratic
+    /// equation for t.
     double in_quad(double x, double y) const {
         const direction h{x, y};
         const double squared = cross_of(twist_, along_v_);
@@ -148,8 +150,8 @@ private:
     bool in_quad_ = false, is_quad_ = false;
     scan_point base_{};
     direction along_u_, along_v_, twist_;
-    std::array<double, 4> level_{}, bends_{}; ///< bends of sides ab, bc, dc, ad; in a triangle ab,
-                                              ///< ac, bc
+    /// Bends of sides ab, bc, dc, ad; in a triangle ab, ac, bc.
+    std::array<double, 4> level_{}, bends_{};
     float error_ = 0;
 };
 

@@ -22,9 +22,9 @@ struct lit_material {
     vector3 color{255, 255, 255}, highlight{};
     int sharpness = 1;
 
-    /// The square of a cosine, below which highlights add nothing. Their power of the cosine would
-    /// be less than 2^-12 there. If the sharpness k is large, it would be less than exp(-e), since
-    /// (1 - e / k)^k < exp(-e). So no power is too small to be computed fast.
+    /// Highlights are left out where the square of their cosine is below this, since their power of
+    /// the cosine is too small there to be seen, and slow to compute. It is less than 2^-12, or for
+    /// a large sharpness k less than exp(-e), since (1 - e / k)^k < exp(-e).
     float least_square = 0;
 
     lit_material() = default;
@@ -150,7 +150,7 @@ public:
 private:
     static float length(const vector3& v) { return std::sqrt(safe_square(dot(v, v.data()))); }
 
-    /// A unit normal, and the ray from the eye to its place.
+    /// A unit normal of a surface, and the ray from the eye to the surface there.
     struct seen_normal {
         vector3 normal, look;
         float distance, against; ///< the ray's length, and its product with the normal
@@ -159,7 +159,7 @@ private:
             : normal(n), look(e), distance(length(e)), against(dot(e, n.data())) {}
     };
 
-    /// The direction and the brightness in which a light is seen from a place.
+    /// A light as it is seen from a place: its direction and its brightness.
     struct seen_light {
         vector3 direction;
         float strength;
@@ -186,8 +186,8 @@ private:
                 light.color};
     }
 
-    /// The power of a cosine, by repeated squares, so that no library's approximation decides a
-    /// bit.
+    /// The power of a cosine, by repeated squares, so that results do not depend on a library's
+    /// approximation.
     static float whole_power(float base, int exponent) {
         float result = 1;
         for (;; base *= base) {
@@ -200,8 +200,8 @@ private:
     }
 
     /// Adds a light from direction l. A highlight needs the direction half-way between l and the
-    /// eye: with e the ray from the eye, this is that of h = l |e| - e. Then h.h = 2 |e| (|e| -
-    /// l.e) and n.h = |e| n.l - n.e for the normal n.
+    /// eye. With the ray e from the eye, this is the direction of h = l |e| - e. Then h.h = 2 |e|
+    /// (|e| - l.e), and n.h = |e| n.l - n.e for the normal n.
     void add_light(const seen_light& light, const seen_normal& seen, l3d_light_color& scattered,
                    l3d_light_color& mirrored) const {
         const float lit = dot(light.direction, seen.normal.data());

@@ -160,7 +160,7 @@ private:
         return {way.scaled(hn::Div(set(1), hn::Sqrt(square))), strength, light.color};
     }
 
-    /// Returns whether any highlight was added.
+    /// Adds the scattered and the mirrored light. Returns whether any highlight was added.
     HWY_INLINE bool add(const seen_light& light, const lit_material& material, bool shines,
                         light_amounts<Channels>& scattered,
                         light_amounts<Channels>& mirrored) const {
@@ -226,7 +226,8 @@ struct pixel_row {
     lane_vector own_right;       ///< the change from a column to the next
 };
 
-/// The words of filled pixels, found for one material at a time. Most vectors have a single one.
+/// The words of filled pixels, found for one material at a time. Most vectors have only one
+/// material.
 template <std::size_t Channels>
 HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
                                  const word_vec* colors, word_vec there, float_mask filled) {

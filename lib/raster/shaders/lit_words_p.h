@@ -23,7 +23,7 @@ struct lit_pixels {
     std::ptrdiff_t depth_pitch; ///< the pitch of depths and of normals
     std::int32_t left, top;     ///< the place of the first pixel in the picture
     std::int32_t width, height;
-    /// The colours of the pixels in a single row, where materials do not tell them.
+    /// The colours of the pixels, if they are a single row and materials do not tell their colours.
     const std::uint32_t* colors = nullptr;
 };
 

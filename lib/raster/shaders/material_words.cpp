@@ -27,9 +27,9 @@ HWY_INLINE void color_pixel(std::uint32_t& word, const std::uint32_t* colors) {
 constexpr hn::Repartition<std::uint16_t, decltype(words)> halves;
 using half_vec = hn::Vec<decltype(halves)>;
 
-/// The rounded products of levels and colours over 255, in the upper bytes of halves of words. With
-/// x the product plus 128, (x + floor(x / 256)) / 256 is that quotient, and all numbers fit 16
-/// bits.
+/// The products of levels and colours over 255, rounded, in the upper bytes of 16-bit halves of
+/// words. With x the product plus 128, the quotient is (x + floor(x / 256)) / 256, and all numbers
+/// fit 16 bits.
 HWY_INLINE half_vec products(half_vec levels, half_vec colors) {
     const half_vec x = hn::Add(hn::Mul(levels, colors), hn::Set(halves, 128));
     return hn::Add(x, hn::ShiftRight<8>(x));

@@ -24,7 +24,7 @@ std::size_t paint_batch::add_part(const named_pixels& from, std::size_t begin) {
                 find_triangle_place(part, index - quads, from.x + static_cast<double>(i), from.y, i,
                                     pixels_);
     }
-    // This comes before the light is set, as finish() also changes lanes after its last pixel.
+    // The light is set after add(), whose finish() also changes lanes after its last pixel.
     add(part.texture, {begin, run.end});
     const linear_light& tables = linear_light_tables();
     for (std::size_t c = 0; c < pixels_.light.size(); ++c)
@@ -34,7 +34,7 @@ std::size_t paint_batch::add_part(const named_pixels& from, std::size_t begin) {
     return run.end;
 }
 
-/// Adds a range to the pixels that wait to be painted. These are then one range, and pixels in its
+/// Adds a range to the pixels that wait to be painted. All that wait are one range; pixels in its
 /// gaps show nothing.
 void paint_batch::add(const l3d_texture* texture, const pixel_range& range) {
     if (texture != texture_)

@@ -30,8 +30,9 @@ public:
     /// The index of a name's material among those of the frame. Expects: has(name).
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
-    /// Takes the pixels from `begin` on that show one part or nothing. Returns the next index.
-    /// Expects: has() the name of the first.
+    /// Takes the pixels from `begin` on that show one part or nothing. Returns the index behind the
+    /// last of them.
+    /// Expects: has() is true for the first one's name.
     std::size_t add_part(const named_pixels& from, std::size_t begin);
 
     /// Takes pixels whose places and light the caller sets in pixels(). They see this texture, or

@@ -76,8 +76,8 @@ inline float polygon_intensity(std::span<const l3d_micro_vertex> corners,
     return intensity(away > 0 ? -lit : lit);
 }
 
-/// Writes the normal's components, and its product with the ray from the eye: positive if it points
-/// away.
+/// Writes the normal's components, and the normal's product with the ray from the eye, which is
+/// positive if the normal points away.
 inline void put_normal(const l3d_micro_vertex& vertex, const l3d_shading& shading, float* out) {
     for (std::size_t i = 0; i < 3; ++i)
         out[i] = vertex.normal[i];

@@ -39,7 +39,7 @@ struct plane_cut {
         if (step == 0)
             return (nearer >= 0) == in_front ? of : columns{of.begin, of.begin};
         const double root = start - nearer / step;
-        // The first column in front where the front is to the right, or the first behind.
+        // The first column in front, if the front is to the right; else the first column behind.
         const double first = step > 0 ? std::ceil(root) : std::floor(root) + 1;
         const auto at = static_cast<std::int32_t>(
             std::clamp(first, static_cast<double>(of.begin), static_cast<double>(of.end)));

@@ -47,8 +47,7 @@ private:
 
     struct vertex {
         float x, y;
-        std::array<std::uint8_t, 4> color; ///< red, green, blue, and the word's highest byte or
-                                           ///< coverage
+        std::array<std::uint8_t, 4> color; ///< red, green, blue; highest byte or coverage
     };
     /// The state of the picture in GL, compared with the target: absent, black, or newer.
     enum class held { not_at_all, as_black, newer_than_target };

@@ -57,7 +57,8 @@ public:
 
     void step() { m_ += m_per_row_; }
 
-    /// An offset that makes columns positive, which begin at -2^15, so that truncation rounds down.
+    /// An offset that makes columns positive, so that truncation rounds down. Columns begin at
+    /// -2^15.
     static constexpr std::int32_t offset = 1 << 16;
 
 private:
@@ -82,14 +83,15 @@ public:
 
     std::int32_t column() const { return static_cast<std::int32_t>(steps_.floor()); }
 
-    /// The distance from the edge to the sample of its column, on its right.
+    /// The distance from the edge to the sample on its right.
     /// Units: pixels, in [0, 1).
     double beyond() const {
         return static_cast<double>(steps_.denominator() - 1 - steps_.rest()) /
                static_cast<double>(steps_.denominator());
     }
 
-    /// The distance from the sample before to the edge: 1 - beyond(), with all its digits.
+    /// The distance from the sample on the edge's left to the edge. It is 1 - beyond(), without
+    /// loss of digits.
     double short_of() const {
         return static_cast<double>(steps_.rest() + 1) / static_cast<double>(steps_.denominator());
     }

@@ -34,9 +34,9 @@ struct shaded_span {
 ///
 /// Every intermediate number is a weighted mean of the corners' numbers. Weights are exact
 /// quotients of whole numbers except for a few roundings. So nothing cancels, however thin the
-/// triangle is. There remain four roundings of float, each 2^-24 of at most 255. They are of the
-/// start, the step over the whole span, its product for a pixel, and the sum. Together they are
-/// less than 2^-13; 2^-12 is promised.
+/// triangle is. Four roundings of float remain, each 2^-24 of at most 255: of the start, the step
+/// over the whole span, its product for a pixel, and the sum. Together they are less than 2^-13;
+/// 2^-12 is promised.
 class shaded_triangle {
 public:
     /// The spans of a triangle in a picture of this size. Lives: until the next call.
@@ -44,8 +44,8 @@ public:
                                          l3d_size size);
 
 private:
-    /// The left or right end of a row. `distance` is that of the edge from the nearest sample
-    /// inside.
+    /// The left or right end of a row. `distance` is the distance of the edge from the nearest
+    /// sample inside.
     struct end {
         std::int32_t column = 0;
         double distance = 0;

@@ -39,8 +39,8 @@ struct small_box {
 };
 
 /// An edge function: its value at the first sample of the box, and its increments to the right and
-/// downwards. It is at least 0 where a sample is inside. On an edge that is neither left nor top,
-/// it is -1.
+/// downwards. A sample is inside if the value there is at least 0. It is -1 for samples on an edge
+/// that is neither left nor top.
 struct small_edge {
     std::int32_t first, per_column, per_row;
 };
@@ -63,8 +63,8 @@ template <class Lanes> struct edge_lanes {
     }
 };
 
-/// Fills the part of a box on the inner side of three edges. `colors` gives the words of its rows:
-/// after begin_block(column), next_row() gives those from this column on, row by row.
+/// Fills the part of a box on the inner side of three edges. `colors` gives the words: after
+/// begin_block(column), each call of next_row() gives those of the next row from this column on.
 /// Expects: the box lies in the picture.
 template <class Lanes, class Colors>
 HWY_INLINE void fill_box(const l3d_pixels& target, const small_box& box,

@@ -43,7 +43,7 @@ struct bounds {
     HWY_INLINE bool small_within(double end) const {
         return low >= 0 && high <= end && high - low <= small_side;
     }
-    /// The first pixel whose sample is not before the low end, and that for the high end.
+    /// The first pixels whose samples are not before the low end, and not before the high end.
     HWY_INLINE std::int32_t first() const { return first_sample(low); }
     HWY_INLINE std::int32_t last() const { return first_sample(high); }
 

@@ -130,8 +130,8 @@ HWY_INLINE void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t co
     if (constexpr hn::CappedTag<std::uint32_t, 4> four;
         count - i == hn::MaxLanes(four) && cover_vector(four, at, color, shares, i))
         return;
-    // A mask keeps words beyond the last from being read. Where masks are not cheap, they pay for
-    // more than three words only.
+    // A mask keeps words beyond the last from being read. Where masks are not cheap, they only pay
+    // for more than three words.
     constexpr std::size_t few = masked_stores_are_cheap ? 0 : 3;
     if (count - i > few) {
         const auto mask = hn::FirstN(words, count - i);
@@ -186,9 +186,10 @@ bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32
 
 void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span> spans,
                           const std::uint8_t* all_values, std::uint32_t color) {
-    // Other rows are on other pages of memory, which no processor prefetches by itself. If rows are
-    // a power of two of bytes apart, all lines of a shape's side fall into one set of the first
-    // cache. Most processors have eight or more lines in a set, and two of them may be in use.
+    // Other rows are on other pages of memory, which no processor prefetches by itself. If the
+    // distance of rows is a power of two, all cache lines of a shape's side fall into one set of
+    // the first cache. Most processors have eight or more lines in a set, and two of them may be in
+    // use.
     constexpr std::size_t ahead = 6;
     for (std::size_t i = 0; i < spans.size(); ++i) {
         const covered_span& s = spans[i];

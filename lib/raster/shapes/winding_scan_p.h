@@ -36,8 +36,8 @@ public:
 private:
     struct edge {
         std::int32_t top, bottom; ///< the edge crosses rows top <= row < bottom
-        int direction;            ///< 1 if it leads upwards: places on its right are wound
-                                  ///< clockwise; else -1
+        /// 1 if it leads upwards: it winds clockwise around places on its right; else -1.
+        int direction;
         exact_edge columns;
     };
     struct crossing {

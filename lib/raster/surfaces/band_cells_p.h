@@ -36,7 +36,7 @@ struct band_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
-/// The box of some polygons, and the largest inv_w of their pixels or more.
+/// The box of some polygons, and an upper bound of inv_w in their pixels.
 struct polygon_bounds {
     l3d_subpixel_box box;
     float nearest = 0;

@@ -92,8 +92,8 @@ void band_list::make(std::span<const l3d_surface_part* const> parts, const frame
     share_out(of);
 }
 
-/// Gives every part its place among the items, so that threads can make them in any order. The
-/// height of a vertex from the middle of a grid says well enough where the part is.
+/// Gives every part its place among the items, so that threads can make them in any order. A vertex
+/// in the middle of a grid stands for the part's height.
 void band_list::lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels) {
     places_.clear();
     by_height_.clear();
@@ -184,8 +184,8 @@ void band_list::share_out(const frame& of) {
     const auto last_band = [&](const band_item& item) {
         return static_cast<std::size_t>((item.box.bottom - 1 - top) / of.rows);
     };
-    // Each band is counted one place too far, so that the loop below moves each begin to the right
-    // place.
+    // Each band's count is stored one place too far, so that the loop below moves each begin to the
+    // right place.
     band_begins_.assign(static_cast<std::size_t>(bands) + 2, 0);
     for (const sort_key& key : order_)
         for (std::size_t b = first_band(items_[key.item]); b <= last_band(items_[key.item]); ++b)

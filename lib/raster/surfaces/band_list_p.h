@@ -33,9 +33,9 @@ struct band_item {
 /// The items of a frame, sorted front to back, and the bands that they touch.
 ///
 /// Items are sorted by their nearest vertices, rounded to one part in 2^8, then by their places in
-/// the list of parts. Where pixels are what their centres show, triangles that hold no centre may
-/// be missing beside a grid. So those that are there are sorted as the grid is. The order depends
-/// neither on the bands nor on the number of workers.
+/// the list of parts. A part's triangles are sorted as its grid is, if pixels show what is at their
+/// centres: triangles without a centre may be left out, so an order of their own would depend on
+/// that. The order depends neither on the bands nor on the number of workers.
 /// Lives: borrows the parts. Keeps its memory from frame to frame.
 class band_list {
 public:
@@ -45,9 +45,9 @@ public:
     /// The drawn part of the picture, and the rule by which polygons touch pixels.
     struct frame {
         l3d_pixel_box window;
-        int rows = 1;         ///< number of rows in a band, at least 1
-        bool squares = false; ///< whether a polygon touches pixels whose squares it reaches, not
-                              ///< only centres
+        int rows = 1; ///< number of rows in a band, at least 1
+        /// Whether polygons touch a pixel by its square, not by its centre only.
+        bool squares = false;
 
         l3d_pixel_box pixels(const l3d_subpixel_box& box) const {
             return (squares ? squares_in(box) : pixels_in(box)).intersected(window);
@@ -81,8 +81,8 @@ public:
 
 private:
     struct place {
-        std::uint32_t items, rows, levels; ///< the indices at which a part's items, rows and levels
-                                           ///< begin
+        /// Indices at which a part's items, rows and levels begin.
+        std::uint32_t items, rows, levels;
     };
 
     void lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels);

@@ -46,9 +46,9 @@ public:
     fill_counts take_counts();
 
 private:
-    /// Distances of prefetching, in items. The triangles of an item are prefetched `items_waiting`
-    /// items before it is drawn: some thousand cycles, more than memory takes. The item itself is
-    /// prefetched before.
+    /// Distances of prefetching, in items. An item's triangles are prefetched `items_waiting` items
+    /// before it is drawn. That is some thousand cycles, more than memory takes. The item itself is
+    /// prefetched earlier.
     static constexpr std::size_t items_waiting = 2, items_ahead = 8;
 
     static bool is_hidden(const band_frame& frame, const fill_band& band, const band_item& item,

@@ -23,16 +23,16 @@ struct depth_tile {
 /// Shape: rows of `columns` numbers, and rows of `words` with a bit for each tile.
 struct tile_table {
     std::size_t columns = 0, words = 0;
-    std::vector<float> farthest;      ///< lower bound of inv_w in each tile's pixels
-    std::vector<std::uint64_t> drawn; ///< whether anything was drawn into the tile; if not, its
-                                      ///< depths are undefined
-    std::vector<std::uint64_t> newer; ///< whether anything was drawn into the tile since `farthest`
-                                      ///< was found
+    std::vector<float> farthest; ///< lower bound of inv_w in each tile's pixels
+    /// Whether anything was drawn into the tile; if not, its depths are undefined.
+    std::vector<std::uint64_t> drawn;
+    /// Whether anything was drawn into the tile since `farthest` was found.
+    std::vector<std::uint64_t> newer;
 };
 
-/// Keeps a bound of the depths in each tile of a picture. By it, hidden shapes are found, and tiles
-/// whose depths nobody has set to 0 yet. A tile's depths are set to 0 when something is drawn
-/// there, since they are needed in the nearest cache then.
+/// Keeps a bound of the depths in each tile of a picture. It tells which shapes are hidden, and
+/// which tiles have undefined depths. A tile's depths are set to 0 only when something is drawn
+/// there, as they are needed in the nearest cache then.
 ///
 /// Depths only become nearer in a frame, so the farthest depth that was found for a tile stays a
 /// bound.
@@ -56,11 +56,11 @@ public:
     void open_others(const fill_band& band);
 
     /// Whether known depths hide every shape in the box that is no nearer than `nearest`, a 1 / w.
-    /// Where the bounds of tiles do not decide, their depths are read.
-    /// Cost:    for a tile that may hide it, one to eight cache lines of depths.
+    /// Where the bounds of tiles do not decide, the depths in the tiles are read.
+    /// Cost:    for a tile whose depths are read, one to eight cache lines.
     bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
-    /// Whether the bounds of tiles alone prove that they do. No depth is read.
+    /// Whether the bounds of tiles alone prove that every such shape is hidden. No depth is read.
     bool hidden(const l3d_pixel_box& box, float nearest) const;
 
     /// Finds the farthest depth of each tile of the band into which something was drawn.

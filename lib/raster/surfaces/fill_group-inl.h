@@ -15,7 +15,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The limit of the product of a polygon's diagonals, in areas. Beyond it, the polygon is a sliver.
+/// The limit of the product of the lengths of a polygon's diagonals, relative to their cross
+/// product, which is twice the area. Beyond it, the polygon is a sliver.
 constexpr float sliver_ratio = 64;
 
 /// Fills a vector of polygons, one in each lane. set_up() turns their corners into rows of a table;
@@ -118,9 +119,9 @@ private:
         return hn::AndNot(others, candidates);
     }
 
-    /// Finds the slivers at the picture's right edge. There a run begins left of the polygon to fit
-    /// the picture, where a sliver's numbers are some hundred times the corners'. Pieces of quads
-    /// would be thin, so quads at the edge are not cut.
+    /// Finds the slivers at the picture's right edge. A run there begins left of the polygon, to
+    /// fit the picture, and a sliver's numbers at that place are some hundred times the corners'.
+    /// Pieces of quads would be thin, so quads at the edge are not cut.
     HWY_INLINE int_mask slivers_at_the_edge() const {
         if (hn::AllFalse(ints(), at_edge_))
             return at_edge_;
@@ -234,13 +235,11 @@ private:
     std::size_t at_ = 0;  ///< index in the queue
     int_vec x_[4], y_[4]; ///< relative to the centre of pixel (column_, row_)
     int_vec column_, row_;
-    int_vec from_column_, to_column_, from_row_, to_row_; ///< the part in the band, relative to
-                                                          ///< (column_, row_)
+    /// The part in the band, relative to (column_, row_).
+    int_vec from_column_, to_column_, from_row_, to_row_;
     int_mask live_, large_;
-    int_mask at_edge_;                 ///< whether a row may begin where a run does not fit the
-                                       ///< picture
-    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in corners a, b
-                                       ///< and d
+    int_mask at_edge_; ///< whether a row may begin where a run does not fit the picture
+    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a, b and d
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;
     lane_plane inv_w_;

@@ -49,8 +49,8 @@ HWY_INLINE bool all_nearer(const float* depths, std::ptrdiff_t pitch, std::int32
     return true;
 }
 
-/// Finds which of a vector of polygons are hidden: everything in their boxes is nearer. Polygons at
-/// the right edge of the picture, where a run does not fit, are not tested.
+/// Finds which of a vector of polygons are hidden, since everything drawn in their boxes is nearer.
+/// Polygons at the right edge of the picture, where a run does not fit, are not tested.
 class hidden_lanes {
 public:
     /// Finds the boxes of the polygons.
@@ -76,7 +76,7 @@ public:
     }
 
     /// Clears the elements of `seen` whose polygons are hidden. The depth in the middle of the box
-    /// shows for most polygons that they are not hidden. The others are tested one by one.
+    /// shows for most polygons that they are not hidden. Other polygons are tested one by one.
     HWY_INLINE void clear(std::int32_t* seen) const {
         const int_vec middle = hn::Add(hn::Add(first_, hn::ShiftRight<1>(columns_)),
                                        hn::Mul(hn::ShiftRight<1>(rows_), set(pitch())));
@@ -104,13 +104,13 @@ private:
     HWY_INLINE std::int32_t pitch() const { return static_cast<std::int32_t>(band_.depth_pitch); }
 
     const fill_band& band_;
-    int_vec first_, columns_, rows_; ///< the box: the index of its first pixel in the band's
-                                     ///< depths, and its size
-    float_vec nearest_;              ///< upper bound of inv_w in its pixels
+    /// The box: the index of its first pixel in the band's depths, and its size.
+    int_vec first_, columns_, rows_;
+    float_vec nearest_; ///< upper bound of inv_w in its pixels
     int_mask asked_;
 };
 
-/// Clears `seen` of the hidden ones among a queue's first `count` polygons.
+/// Clears the elements of `seen` for hidden polygons among the first `count` of a queue.
 HWY_INLINE void clear_hidden(const fill_band& band, fill_queue& queue, std::size_t count) {
     for (std::size_t at = 0; at < count; at += lanes)
         hidden_lanes(band, queue, at, std::min(lanes, count - at)).clear(queue.seen + at);

@@ -70,8 +70,7 @@ public:
     HWY_INLINE explicit fill_stream(const fill_target& target)
         : target_(target), queue_(target.queue) {}
 
-    /// Polygons side by side. `name` is the name of the first one; each next one's is larger by
-    /// `step`.
+    /// Polygons side by side. `name` is the name of the first one; names rise by `step`.
     struct row {
         const corner_arrays& corners;
         corner_places at;
@@ -205,8 +204,8 @@ private:
         queue_.material[to] = triangle.material;
     }
 
-    /// Fills the first polygons of the queue, `enough` of them, and moves the rest to its front.
-    /// The rest are fewer than the lanes of the widest vector.
+    /// Fills the first `enough` polygons of the queue, and moves the others to its front. The
+    /// others are fewer than the lanes of the widest vector.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
         find_seen(fill_queue::enough);
@@ -306,7 +305,7 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
     }
 }
 
-/// Fills quads in runs of columns, since there is room for the greys of one run only.
+/// Fills quads in runs of columns, since there is room for the greys of only one run.
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end) {
     constexpr int run_of_quads = fill_queue::run;

@@ -81,8 +81,8 @@ private:
     }
 };
 
-/// Polygons that the lanes do not take: larger than 64 pixels, or, for lambert, with normals that
-/// differ too much. The caller fills them by the scalar filler after fill_finish.
+/// Polygons that the lanes do not take. They are larger than 64 pixels or, for lambert, have
+/// normals that differ too much. The caller fills them by the scalar filler after fill_finish.
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
@@ -131,7 +131,7 @@ struct fill_words {
     std::uint32_t unit() const { return has_materials ? 1 : 0x010101; }
 };
 
-/// A piece of a folded or skew quad. Shape: [corner][component], as in fill_queue.
+/// A triangle cut from a folded or skew quad. Shape: [corner][component], as in fill_queue.
 struct fill_piece {
     using corner = std::array<std::int32_t, 6>;
     std::array<corner, 3> corners;
@@ -147,9 +147,8 @@ struct fill_piece {
 /// Lives: one for each worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
-    /// The number of polygons that are filled together: whole vectors of every width. So the width
-    /// of vectors decides neither which polygons wait, nor what is drawn when a test for hidden
-    /// shapes comes.
+    /// The number of polygons that are filled together: whole vectors of every width. So neither
+    /// the polygons that wait, nor the results of tests for hidden shapes, depend on the width.
     static constexpr std::size_t enough = 3 * widest_vector;
     static constexpr std::size_t room = enough + 2 * widest_vector;
 
@@ -158,15 +157,14 @@ struct fill_queue {
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
-    alignas(64) std::array<const void*, room> source; ///< the grid or the triangles to which it
-                                                      ///< belongs
-    alignas(64) std::int32_t seen[room]; ///< 0: hidden; tested when the polygon is to be filled
-    alignas(64) std::uint32_t material[room]; ///< as fill_words::of_material gives it; set only
-                                              ///< with materials
+    alignas(64) std::array<const void*, room> source; ///< the grid or the triangles that have it
+    alignas(64) std::int32_t seen[room]; ///< 0: hidden; set when the polygon is to be filled
+    /// As fill_words::of_material; set only with materials.
+    alignas(64) std::uint32_t material[room];
     std::size_t count = 0;
 
-    /// The pieces of folded and skew quads. They are filled after all others. So the order of two
-    /// equally near polygons does not depend on how many waited together.
+    /// The pieces of folded and skew quads. They are filled after all other polygons. So the order
+    /// of two equally near polygons does not depend on how many polygons waited together.
     std::vector<fill_piece> pieces;
 
     /// The grey levels of the corners of a run of polygons, written and read a vector at a time.
@@ -186,7 +184,8 @@ struct fill_target {
     fill_words words{};
 };
 
-/// A grid and its material, and, for gouraud, the grey levels of its vertices from light_vertices.
+/// A grid and its material. For gouraud, it also has the grey levels of the vertices, from
+/// light_vertices.
 struct fill_grid {
     const l3d_micro_grid& vertices;
     const float* levels;

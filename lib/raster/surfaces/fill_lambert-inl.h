@@ -30,12 +30,12 @@ constexpr float grey_of_cosine = 229.5f;
 /// squares stay above 0.75.
 constexpr float smooth_spread = 1.0f;
 
-/// Limits for lengthening normals by one factor, 1 + spread / 32, in the whole polygon. The error
-/// must be at most flat_error grey levels. The spread must be at most flat_spread, where the
-/// squares of these errors are a tenth of a level.
+/// Limits for dividing normals by their length: up to these, the whole polygon has one factor,
+/// 1 + spread / 32. The error must be at most flat_error grey levels. The spread must be at most
+/// flat_spread, where the squares of these errors are a tenth of a level.
 constexpr float flat_error = 0.9f, flat_spread = 0.25f;
 
-/// The limit of a quad's spread if it is filled in pieces: a triangle's spread may be twice its
+/// The limit of the spread of a quad that is filled in pieces. A triangle's spread may be twice its
 /// quad's.
 constexpr float piece_spread = 0.49f * smooth_spread;
 
@@ -146,7 +146,7 @@ private:
                        hn::IfThenElse(triangle, of_triangle, of_quad));
     }
 
-    /// Sets up which side is seen, for polygons that show both sides.
+    /// Sets up which side of the surface is seen, for polygons whose normals point partly away.
     HWY_INLINE void face(hn::Mask<floats> mixed, const float_vec (&away)[4], const lane_places& at,
                          fill_table& table) {
         const floats d;
@@ -182,8 +182,7 @@ private:
 
     float_vec normal_[3][4], spread_;
     float_vec square1_, square2_; ///< squared differences of opposite corners' normals
-    float_vec lean_;              ///< components of these differences along the twist, a - b + c -
-                                  ///< d
+    float_vec lean_;              ///< components of these differences along the twist a - b + c - d
     lane_plane lit_, facing_, bend_x_;
     lane_parabola bend_;
     fill_shape shape_;

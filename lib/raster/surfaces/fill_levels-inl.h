@@ -105,8 +105,8 @@ private:
                 hn::Neg(hn::Mul(four, side_bc_))};
     }
 
-    /// Notes a bound for the error of the parabola, compared with the levels of the same
-    /// parameters. Errors arise where a quad's picture is no parallelogram, and where w changes
+    /// Notes a bound for the error of the parabola, compared with the levels at the same
+    /// parameters. Errors arise if the quad is not a parallelogram in the picture, and if w changes
     /// over it.
     HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
                                fill_counts& counts) const {
@@ -129,10 +129,10 @@ private:
     }
 
     float_vec level_[4];
-    float_vec side_ab_, side_ad_, side_bc_, side_dc_; ///< bends: the sides' middles above the means
-                                                      ///< of their ends
-    float_vec off_plane_; ///< distance of corners a and c above the quad's plane, and of b and d
-                          ///< below it
+    /// Bends: the sides' middles above the means of their ends.
+    float_vec side_ab_, side_ad_, side_bc_, side_dc_;
+    /// Height of corners a and c above the quad's plane, and of b and d below it.
+    float_vec off_plane_;
     lane_parabola level_of_;
     lane_plane slope_;
 };

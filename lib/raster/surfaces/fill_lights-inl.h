@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// fill_lights: makes arrays, to be queued, of the numbers that a mode needs for polygons' corners.
+// fill_lights: makes arrays of the numbers that a mode needs for the light at corners, for the
+// queue.
 #if defined(L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H
 #undef L3D_RASTER_SURFACES_FILL_LIGHTS_INL_H
@@ -40,21 +41,21 @@ struct vertex_arrays {
           size(of.x.size()) {}
 };
 
-/// The four corners of neighbouring polygons. A triangle has its last corner twice.
+/// The arrays of the four corners of neighbouring polygons. A triangle has its last corner twice.
 using corner_arrays = std::array<vertex_arrays, 4>;
 
-/// The index of the first polygon's corner in each of the four arrays.
+/// The index of the first polygon's corner, in each of the four corners' arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// Arrays of the numbers that the queue takes for the corners' light. As many elements may be read
+/// The numbers of the corners' light that the queue takes, in arrays. As many elements may be read
 /// as in the corners' arrays.
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;
 };
 
-/// A vector of an array's elements from `at` on. Unless it is all `inside`, it has zeros after the
-/// end.
+/// Loads a vector of an array's elements from `at` on. If `Inside` is false, lanes beyond `size`
+/// are zero.
 template <bool Inside, class D, class T>
 HWY_INLINE hn::Vec<D> load_within(D d, const T* array, std::size_t at, std::size_t size) {
     if constexpr (Inside)
@@ -84,8 +85,8 @@ HWY_INLINE float_vec level_of(float_vec cosine, float_vec away) {
     return hn::Add(set(25.5f), hn::Mul(set(grey_of_cosine), lit));
 }
 
-/// The quads that turn to the right in the picture. The result is wrong for some that are too large
-/// for the lanes.
+/// The lanes whose quads turn to the right in the picture. The result may be wrong for quads that
+/// are too large for the lanes.
 template <class D>
 HWY_INLINE hn::Mask<D> turns_right(D, const hn::Vec<D> (&x)[4], const hn::Vec<D> (&y)[4]) {
     return hn::Gt(hn::Mul(hn::Sub(x[2], x[0]), hn::Sub(y[3], y[1])),

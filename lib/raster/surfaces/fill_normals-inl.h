@@ -56,9 +56,9 @@ public:
     }
 
 private:
-    /// Notes a bound for the error of normals, compared with those of the same parameters. Errors
-    /// arise where a quad's picture is no parallelogram, and where w changes over it. See NUMERICS,
-    /// section 24.
+    /// Notes a bound for the error of normals, compared with the normals at the same parameters.
+    /// Errors arise if the quad is not a parallelogram in the picture, and if w changes over it.
+    /// See NUMERICS, section 24.
     HWY_INLINE void note_error(const lane_places& at, const fill_table& table,
                                fill_counts& counts) const {
         const floats d;

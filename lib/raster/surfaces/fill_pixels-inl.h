@@ -269,7 +269,7 @@ private:
 
 /// Fills polygons of a table, and counts the pixels that were written.
 ///
-/// Most rows are short, and suit short vectors: more of them fit the processor's ports.
+/// Most rows are short, and suit short vectors, of which the processor's ports take more at a time.
 class fill_polygons {
 public:
     HWY_INLINE fill_polygons(const fill_band& band, const fill_table& table)

@@ -68,9 +68,9 @@ HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotien
 /// One edge of each polygon, stepped from row to row like Bresenham's line. `column` is exactly the
 /// first column whose centre is on the edge's line or right of it.
 ///
-/// An edge also limits rows above and below it, as a convex polygon lies on one side of the whole
-/// line. Where the line is nearly level, the column changes by up to 2^14 a row, and up to 2^20 in
-/// all.
+/// An edge also limits the rows above and below it, as a convex polygon lies on one side of the
+/// edge's whole line. Where the line is nearly level, the column changes by up to 2^14 a row, and
+/// up to 2^20 in all.
 struct lane_edge {
     int_vec column, column_step;
     int_vec room, room_step, whole; ///< the remainder, counted down from whole - 1
@@ -122,7 +122,7 @@ struct lane_edge {
 };
 
 /// A linear function over a polygon: base + first s + second t. s and t are whole numbers: the
-/// cross products of the way from corner a with the polygon's two differences (lane_frame).
+/// cross products of the vector from corner a with the polygon's two differences (lane_frame).
 struct lane_plane {
     float_vec base, first, second;
 
@@ -197,15 +197,15 @@ struct lane_frame {
     }
 };
 
-/// The corners of a vector of polygons, and further inputs of their light beside normals or greys.
+/// The corners of a vector of polygons, and the inputs of their light other than normals and greys.
 struct lane_places {
     int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
     lane_frame frame;
     float_vec column_s, column_t; ///< change of s and t from column to column
     int_mask fits, piece;         ///< polygons that are filled here, and pieces of quads
     int_mask triangle;            ///< polygons that have their last corner twice
-    float_vec uneven; ///< distance between the middles of a quad's diagonals, in parts of the
-                      ///< diagonals
+    /// Distance between the middles of a quad's diagonals, in parts of the diagonals.
+    float_vec uneven;
 };
 
 HWY_INLINE float_vec square_of(float_vec v) {

@@ -27,8 +27,8 @@ static_assert(run <= fill_least_width);
 alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                        8, 9, 10, 11, 12, 13, 14, 15};
 
-/// The limit of a polygon's extent in pixels, beyond which the lanes do not take it. So it has at
-/// most one more row and column.
+/// The limit of a polygon's extent in pixels, beyond which the lanes do not take it. A polygon
+/// within it has at most one more row and column.
 constexpr std::int32_t most_pixels = 64;
 
 /// Polygons are set up together, one in each lane of a vector.
@@ -54,8 +54,8 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 /// the pixel at `begin`; names with `_x` are changes from column to column.
 struct fill_row {
     lane_array<std::int32_t> from, pixels; ///< first covered column, and number of covered pixels
-    lane_array<std::int32_t> begin; ///< first run's column: `from`; at the edge, or without pixels,
-                                    ///< one where a run fits
+    /// First run's column: `from`; at the edge, or without pixels, one where a run fits.
+    lane_array<std::int32_t> begin;
     lane_array<float> inv_w, lit;
 };
 
@@ -79,8 +79,7 @@ struct fill_table {
     lane_array<std::uint32_t> material;         ///< as fill_words::of_material gives it
     lane_array<std::int32_t> word_at, depth_at; ///< indices of column 0 in the first row
     lane_array<std::int32_t> height;            ///< number of rows; 0 if there is nothing to fill
-    lane_array<std::int32_t> longest;           ///< pixels of the longest row; > most_pixels at the
-                                                ///< edge
+    lane_array<std::int32_t> longest; ///< pixels of the longest row; > most_pixels at the edge
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;

@@ -17,7 +17,8 @@ inline l3d_pixel_box pixels_in(const l3d_subpixel_box& box) {
 }
 
 /// The pixels whose squares a polygon in the box may reach. The left and the upper side of a square
-/// also belong to the pixel beyond, as contours are walked with a small shift to the left and up.
+/// count for the pixel beyond, too, since contours are walked with a small shift to the left and
+/// up.
 inline l3d_pixel_box squares_in(const l3d_subpixel_box& box) {
     constexpr std::int32_t last = l3d_subpixel_one - 1;
     return {(box.left - 1) >> l3d_subpixel_bits, (box.top - 1) >> l3d_subpixel_bits,

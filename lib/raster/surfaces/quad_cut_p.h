@@ -34,10 +34,10 @@ inline quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
     return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
 }
 
-/// Replaces the light at a polygon's corners by that of the side that it shows; before, it is of
+/// Turns the light at a polygon's corners to the side that the picture shows. Before, it belongs to
 /// the side to which dS/du x dS/dv points. area2, twice the area, is positive if the polygon turns
-/// to the right. Then dS/du, dS/dv and the line of sight are right-handed like the picture's right,
-/// down and forward. So the normal points away from the eye.
+/// to the right in the picture. Then dS/du, dS/dv and the line of sight are right-handed, as the
+/// picture's right, down and forward are, so the normal points away from the eye.
 template <std::size_t Corners>
 void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area2) {
     if (area2 > 0)
@@ -63,16 +63,16 @@ public:
     bool level() const { return !left() && !right(); }
     bool folded() const { return left() && right(); }
 
-    /// Whether the middles of the diagonals are so far apart that a plane does not suit the
-    /// corners' numbers. The plane exceeds them by their range times skew / area2 / 4. In quads
-    /// that are not skew, this is at most an eighth of the range.
+    /// Whether the middles of the diagonals are far apart, so that a plane does not suit the
+    /// corners' numbers. The plane exceeds them by skew / area2 / 4 of their range, which is at
+    /// most an eighth of it in quads that are not skew.
     bool skew() const {
         const std::int64_t skew = std::abs(at_[0] - at_[2]) + std::abs(at_[1] - at_[3]);
         return 2 * skew > std::abs(area2());
     }
 
-    /// Twice the area between a side and the crossing of the two sides beside it; 0 if these do not
-    /// cross. The turns tell where on the next side the crossing is.
+    /// Twice the area of the triangle between a side and the crossing of the two sides beside it; 0
+    /// if these do not cross. The turns give the place of the crossing on the next side.
     double crossed(std::size_t side) const {
         const auto at = [&](std::size_t i) { return static_cast<double>(at_[(side + i) % 4]); };
         if (at(0) * at(3) >= 0 || at(1) * at(2) >= 0)
@@ -97,8 +97,8 @@ private:
 };
 
 /// The point around which a folded quad is filled: the mean of its corners before projection. Its w
-/// is the mean w. Its place in the picture and its normal are means weighted by w. In a parallel
-/// projection all weights are equal, and its depth is the mean depth.
+/// is their mean w, and its place and normal are means weighted by w. In a parallel projection all
+/// weights are equal, and its depth is the mean depth.
 inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool parallel) {
     double sum = 0, x = 0, y = 0, depth = 0;
     std::array<double, 3> normal{};
@@ -126,11 +126,11 @@ inline bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& cen
 
 /// Finds which side of the surface each triangle around the centre of a folded quad shows.
 ///
-/// A triangle that is turned over shows its back, as at a contour, unless it is the only one. Then
-/// the other three go once around the centre and cover it again, except for the part between its
-/// outer side and the crossing of the quad's sides beside that. If this part is less than half of
-/// it, or the sides do not cross, the quad is as narrow there as its corners are inexact, as beside
-/// a pole. Then the triangle shows the same side as the others.
+/// A triangle that is turned over shows its back, as at a contour. The exception is a single one.
+/// Then the other three go once around the centre and cover it again, except for a rest: the part
+/// between its outer side and the crossing of the quad's sides beside that. Rounded corners, as
+/// beside a pole, make such triangles, too. So the triangle shows the same side as the others if
+/// the rest is less than half of it, or the sides do not cross.
 class folded_sides {
 public:
     folded_sides(const quad_corners& v, const quad_turns& turns, const l3d_micro_vertex& centre) {
@@ -168,8 +168,8 @@ void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, c
         add(std::array{v[i], v[(i + 1) % v.size()], centre}, sides.area2(i));
 }
 
-/// The bends of a quad's sides and diagonals in mode l3d_shade::levels: levels in their middles,
-/// less the mean of their ends. The level in the middle of the parameters is the corners' mean,
+/// The bends of a quad's sides and diagonals in mode l3d_shade::levels: the level in the middle,
+/// less the mean of both ends. At the middle of the parameters, the level is the corners' mean,
 /// plus the mean bends of both pairs of opposite sides.
 struct quad_bends {
     float ab, ad, bc, dc, ac, bd;
@@ -185,7 +185,8 @@ struct quad_bends {
     float both() const { return 0.5f * (ab + dc + ad + bc); }
 };
 
-/// The same as cut_folded in mode l3d_shade::levels. Half of a diagonal has a quarter of its bend.
+/// The same as cut_folded, in mode l3d_shade::levels. The bend of half a diagonal is a quarter of
+/// the diagonal's bend.
 template <class Add>
 void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& turns,
                        const Add& add) {

@@ -18,8 +18,9 @@
 
 namespace l3d_detail {
 
-/// A bound for the error of a plane through a polygon's normals: the parts that come from its shape
-/// and from the change of w. The slow twin of normal_lanes. See NUMERICS, section 24.
+/// A bound for the error of a plane through a polygon's normals: the parts that come from the
+/// polygon's shape and from the change of w. It is the slow twin of the error in normal_lanes. See
+/// NUMERICS, section 24.
 ///
 /// Shape:   area2 is the cross product of both diagonals, or of a triangle's first two sides.
 /// Expects: area2 != 0, inv_w > 0.

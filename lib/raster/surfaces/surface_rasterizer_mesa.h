@@ -50,8 +50,7 @@ private:
 
     l3d_detail::mesa_target gl_target_;
     l3d_pixels target_;
-    l3d_depth_buffer own_depth_; ///< used without a caller's depth buffer, if covered pixels are
-                                 ///< counted
+    l3d_depth_buffer own_depth_; ///< used to count covered pixels, without a caller's buffer
     l3d_depth_buffer* depth_ = nullptr;
     l3d_shading shading_;
     l3d_surface_counts counts_;
@@ -60,8 +59,7 @@ private:
     std::vector<vertex> batch_;
     l3d_size held_size_;
     bool fits_ = false;    ///< whether GL can hold the picture
-    bool by_cpu_ = false;  ///< whether the CPU draws this frame: it does not fit, or has several
-                           ///< lights or highlights
+    bool by_cpu_ = false;  ///< whether the CPU draws this frame, as it does not fit or is lit
     bool cleared_ = false; ///< whether GL's picture is that of this frame
     unsigned query_ = 0;
     l3d_surface_rasterizer_scalar cpu_;

@@ -36,7 +36,7 @@ int rows_of_band(l3d_size size, bool with_normals) {
 using normal_plane = std::vector<std::uint32_t, line_allocator<std::uint32_t>>;
 
 /// Whether lanes can light pixels of these materials. In mode `flat` a polygon has one normal,
-/// which the lanes do not make.
+/// which lanes do not make.
 bool lanes_take_lights(const l3d_shading& shading, std::span<const l3d_material> materials) {
     if (shading.paints && shading.paints->parts)
         return false; // each of their quads has a name, and their number is unknown yet
@@ -64,7 +64,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     std::vector<normal_plane> normals;  ///< one of a band for each worker, or one of the picture
     std::vector<band_painter> painters; ///< one for each worker
     std::vector<l3d_depth_buffer> worker_depths; ///< depth of a band, if nobody wants it afterwards
-    l3d_depth_buffer kept_depth; ///< depth of a picture that anti-aliasing alone wants afterwards
+    l3d_depth_buffer kept_depth; ///< depth of a picture that only anti-aliasing wants afterwards
     std::vector<std::int64_t> covered; ///< in each band, if that is counted
     l3d_image picture;                 ///< gets the words that are not drawn into the target itself
     std::vector<const l3d_surface_part*> parts; ///< parts of all draws, for anti-aliasing
@@ -84,8 +84,7 @@ void l3d_surface_rasterizer_sw::begin_work() {
     work_->worker_depths.resize(static_cast<std::size_t>(workers_.count()));
 }
 
-/// Gives memory back when the picture has less than a quarter of the area that the memory is made
-/// for.
+/// Gives memory back if it was made for more than four times the picture's area.
 void l3d_surface_rasterizer_sw::fit_memory(l3d_size size) {
     const std::int64_t area = l3d_whole(size).area();
     if (4 * area < largest_area_) {
@@ -111,8 +110,8 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
     start(depth, shading);
 }
 
-/// Begins a frame that only smooths the edges of a finished picture. Filling finds the depths for
-/// that; its words go to a picture of their own and are not used.
+/// Begins a frame that only smooths the edges of a finished picture. Filling finds the depths that
+/// smoothing needs. Its words go to another picture and are not used.
 void l3d_surface_rasterizer_sw::begin_over(l3d_pixels picture, const l3d_shading& shading) {
     begin_frame(shading);
     draw_into_own(picture.size());
@@ -130,8 +129,8 @@ void l3d_surface_rasterizer_sw::draw_into_own(l3d_size size) {
     target_ = refined_ = picture.pixels();
 }
 
-/// Polygons are drawn whole into a picture of their own, so that no number in them depends on where
-/// the part ends. Their pixels beside the part are not copied.
+/// Draws polygons whole into a picture of its own, so that no number in them depends on where the
+/// part ends. Pixels beside the part are not copied.
 void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,
                                               const l3d_shading& shading,
                                               const l3d_pixel_box& part) {

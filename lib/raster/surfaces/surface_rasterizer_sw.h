@@ -83,23 +83,22 @@ private:
     l3d_workers& workers_;
     l3d_band_settings settings_;
     std::unique_ptr<work_space> work_;
-    std::int64_t largest_area_ = 0; ///< number of pixels of the largest picture that fits the
-                                    ///< memory
-    l3d_pixels target_;             ///< the pixels that are filled
-    l3d_pixels refined_;   ///< the picture that gets fog and smooth edges: the target, or one drawn
-                           ///< already
+    /// Number of pixels of the largest picture that fits the memory.
+    std::int64_t largest_area_ = 0;
+    l3d_pixels target_; ///< the pixels that are filled
+    /// The picture that gets fog and smooth edges: the target, or one drawn already.
+    l3d_pixels refined_;
     l3d_pixel_box window_; ///< the drawn part of the target, in whole tiles
-    l3d_pixel_box part_;   ///< the part that is copied from the work space to part_target_; may be
-                           ///< empty
+    /// The part that is copied from the work space to part_target_; may be empty.
+    l3d_pixel_box part_;
     l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;
     int rows_ = 0;               ///< number of rows in a band
     std::size_t last_parts_ = 0; ///< number of parts in the last call of draw
-    bool drawn_ = false;         ///< whether something of this frame was drawn, so picture and
-                                 ///< depth are cleared
-    bool finished_ = false;      ///< whether the last frame is finished: tiles without drawing are
-                                 ///< empty in the picture
-    bool untouched_ = false;     ///< whether the target still holds the last frame, unchanged
+    bool drawn_ = false; ///< whether this frame has drawn, so that picture and depth are cleared
+    /// Whether the last frame is finished: tiles without drawing are empty in the picture.
+    bool finished_ = false;
+    bool untouched_ = false; ///< whether the target still holds the last frame, unchanged
     l3d_surface_counts counts_;
 };
 

@@ -20,8 +20,7 @@ struct surface_target {
     scan_polygon scan;
     fill_counts counts;
     fill_words coding{};
-    std::uint32_t material = 0;      ///< the polygons' material, as fill_words::of_material gives
-                                     ///< it
+    std::uint32_t material = 0;      ///< the polygons' material, as fill_words::of_material has it
     std::span<const plane_cut> cuts; ///< cuts that the polygons' pixels must pass
     bool by_lanes = false; ///< whether rows are filled in lanes, if the shader can; the same bits
 

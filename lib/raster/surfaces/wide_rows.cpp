@@ -28,7 +28,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using row_kind = row_light::kind;
 
-/// How many numbers of a pixel follow inv_w, to be interpolated.
+/// The number of values that are interpolated beside inv_w.
 constexpr std::size_t numbers_of(row_kind kind) {
     switch (kind) {
     case row_kind::held:
@@ -74,7 +74,7 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_of_intensity(D d, hn::Vec<D> i
 }
 
 /// Light by the operations of lambert_shader, so that each pixel gets the same bits. That shader
-/// changes the sign of a cosine, and this one that of a product, which gives the same numbers.
+/// changes the sign of a cosine, and this class that of a product, which gives the same numbers.
 template <class D> class normal_light {
 public:
     using vec = hn::Vec<D>;
@@ -165,8 +165,8 @@ private:
         }
     };
 
-    /// Fills one vector of pixels from a column on. The row's last vector begins where it still
-    /// fits into the picture, and leaves out the pixels before that column.
+    /// Fills one vector of pixels from column x on. The row's last vector begins where it still
+    /// fits into the picture, and leaves out the pixels before x.
     HWY_INLINE std::int64_t fill_vector(const band_row& row, std::int32_t x) const {
         const D d;
         const int_tag di;
@@ -259,8 +259,8 @@ struct rows_by_length {
     }
 };
 
-/// Fills short rows by short vectors, which have fewer idle lanes. Small polygons have short rows
-/// only. So longer vectors are not even made ready for them.
+/// Fills short rows by short vectors, which have fewer idle lanes. Small polygons have only short
+/// rows, so longer vectors are not made ready for them.
 template <row_kind Kind>
 HWY_INLINE std::int64_t fill_rows_of(const fill_band& band, const wide_polygon& of,
                                      const wide_runs& runs) {

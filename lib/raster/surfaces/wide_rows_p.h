@@ -18,8 +18,7 @@ struct row_light {
         word,   ///< no number: all pixels have `word`
         held,   ///< one number: the intensity, clamped between darkest and brightest
         normal, ///< four numbers: a normal of any length, and its product with the ray from the eye
-        code    ///< three numbers: a normal as in normal_code; its other two components go to the
-                ///< band's normals
+        code    ///< three numbers: a normal as in normal_code; two go to the band's normals
     };
 
     kind by = kind::word;
@@ -60,7 +59,7 @@ struct wide_polygon {
 /// Fills rows of one polygon, and returns how many pixels were written.
 ///
 /// The result has the same bits as from surface_fill, which fills pixel by pixel with the shader
-/// that gave the light.
+/// that the light comes from.
 /// Shape:   the band's normals are used only with row_light::kind::code.
 /// Expects: rows of the band; 0 <= begin, end <= width, start <= begin; no columns if begin >= end.
 ///          Words and depths of whole rows may be read and written back.

@@ -15,11 +15,11 @@
 
 /// Draws text in UTF-8 with the smooth letters of a font file, in any size.
 ///
-/// Lines are laid out by the rules of Unicode: scripts from right to left stand among others as
-/// they are read. HarfBuzz kerns and joins letters. A letter that the font lacks comes from another
-/// font of this machine, if one has it. Otherwise the font's sign for a missing letter is shown,
-/// mostly a box; bytes that are no UTF-8 show it, too. A tab goes to the next multiple of eight
-/// blanks. Other control characters and soft hyphens are invisible.
+/// Lines are laid out by the rules of Unicode, also where scripts from right to left stand among
+/// others. HarfBuzz kerns and joins letters. A letter that the font lacks comes from another font
+/// of this machine, if one has it. Otherwise the font's sign for a missing letter is shown, mostly
+/// a box; bytes that are not UTF-8 show it, too. A tab goes to the next multiple of eight blanks.
+/// Other control characters and soft hyphens are invisible.
 ///
 /// A font without a file has the built-in face of l3d_draw_text: printable ASCII in whole multiples
 /// of 5 x 7 pixels, from left to right, the same bits on every machine.

@@ -51,8 +51,8 @@ glyph_pen& pen_of(void* user) {
     return *static_cast<glyph_pen*>(user);
 }
 
-/// The functions that FreeType calls for the pieces of an outline. Its kinds of curves are those of
-/// paths.
+/// The functions that FreeType calls for the pieces of an outline. It has the same kinds of curves
+/// as l3d_path.
 const FT_Outline_Funcs drawing{
     .move_to =
         [](const FT_Vector* to, void* user) {
@@ -143,12 +143,12 @@ private:
         return found->second;
     }
 
-    /// Draws a letter. One that the file cannot draw is as empty as a space.
+    /// Draws a letter. If the file cannot draw it, it is as empty as a space.
     static letter make(const letter_key& key) {
         const auto [source, index, size, phase] = key;
         const FT_Face face = sized(*source, size);
         const FT_GlyphSlot slot = face->glyph;
-        // Hinted in height alone: stems keep their widths, and lines their lengths.
+        // Hinted only in height: stems keep their widths, and lines their lengths.
         if (FT_Load_Glyph(face, index, FT_LOAD_TARGET_LIGHT | FT_LOAD_NO_BITMAP) != 0)
             return {};
         FT_Outline_Translate(&slot->outline, phase * units / phases, 0);

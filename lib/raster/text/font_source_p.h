@@ -23,8 +23,8 @@ struct shaped_glyph {
 
 /// A part of a text with one script and one direction.
 struct text_run {
-    std::span<const char32_t> text; ///< the whole text: letters at the part's ends may join their
-                                    ///< neighbours
+    /// The whole text: letters at the part's ends may join their neighbours.
+    std::span<const char32_t> text;
     std::size_t begin = 0, end = 0; ///< the part's range in `text`
     hb_script_t script = HB_SCRIPT_COMMON;
     bool right_to_left = false;

@@ -115,8 +115,8 @@ private:
     bool leaves_half(l3d_size picture, const l3d_panel_style& style) const;
 
     std::vector<row> rows_;
-    int largest_size_ = std::numeric_limits<int>::max(); ///< the height of letters that all pages
-                                                         ///< share
+    /// The height of letters that all pages share.
+    int largest_size_ = std::numeric_limits<int>::max();
 };
 
 #endif

@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::string_view soft_hyphen_bytes = "\xc2\xad";
 
-/// The number of bytes of a text that fit into a width. It is at least one character, and no
-/// character in part.
+/// The number of bytes of a text that fit into a width. It counts whole characters, at least one.
 std::size_t fitting(const l3d_font& font, std::string_view text, int size, int width) {
     std::vector<std::size_t> ends; // end of each character
     for (std::string_view rest = text; !rest.empty();) {
@@ -123,8 +122,8 @@ void panel_layout::add_row(std::size_t row, int x, int key_width, int text_width
     }
 }
 
-/// The width of the widest word in rows, or part of a word up to a soft hyphen. It is not to be
-/// torn apart.
+/// The width of the widest piece that must not be torn apart: a word in rows, or part of a word up
+/// to a soft hyphen.
 int panel_layout::word_width_of(std::span<const panel_row> rows) const {
     int most = 0;
     for (const panel_row& r : rows)

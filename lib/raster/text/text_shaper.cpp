@@ -110,8 +110,8 @@ void text_shaper::find_sources() {
     }
 }
 
-/// The runs from left to right. From the deepest level on, each sequence of runs at least that deep
-/// is turned round: rule L2.
+/// The runs from left to right. For each level from the deepest on, it reverses all sequences of
+/// runs that are at least that deep: rule L2.
 std::vector<text_shaper::run> text_shaper::runs_from_left() const {
     std::vector<run> runs;
     for (std::size_t i = 0; i < text_.size(); ++i) {

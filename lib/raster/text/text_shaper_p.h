@@ -44,7 +44,7 @@ private:
     /// some widths.
     static constexpr std::size_t most_lines = 1024;
 
-    /// A run of text, and the font that has its letters; null for a tab.
+    /// A run of text, and the font with its letters; null for a tab.
     struct run : text_run {
         const font_source* source = nullptr;
         unsigned level = 0; ///< nesting of directions: odd from right to left

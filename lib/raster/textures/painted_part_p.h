@@ -45,10 +45,10 @@ struct picture_map {
     }
 };
 
-/// The same map in floats, around some parameters. Shape: u and v of the picture.
+/// The same map in floats, relative to some parameters. Shape: u and v of the picture.
 ///
-/// Cost: a float's rounding of parameters, which is 2^-24 of the patch. It counts only where a
-///       patch repeats a picture more often than pixels could show.
+/// Cost: floats round parameters by 2^-24 of the patch. It counts only where a patch repeats a
+///       picture more often than pixels could show.
 struct near_map {
     std::array<float, 2> at{}, along_u{}, along_v{}, along_both{};
 };
@@ -60,8 +60,8 @@ struct painted_part {
     std::uint32_t first = 0;    ///< name of the quad at index 0
     std::uint32_t material = 0; ///< index of its material among the frame's
     const l3d_surface_part* part = nullptr;
-    l3d_patch_parameters origin; ///< the grid's first vertex's, from which `near` and its
-                                 ///< parameters count
+    /// Parameters of the grid's first vertex, to which `near` and `parameters` are relative.
+    l3d_patch_parameters origin;
     near_map near;
     std::size_t columns = 0, rows = 0; ///< indices of the first parameters of columns and of rows
     std::array<std::span<const l3d_patch_parameters>, 3>
@@ -91,7 +91,7 @@ struct painted_parts {
     void add(painted_part of, std::span<const double> u, std::span<const double> v);
 
     /// Whether a name belongs to one of these parts.
-    /// Expects: triangles of models have no larger names.
+    /// Expects: all triangles of models have smaller names.
     bool has(std::uint32_t name) const { return !all.empty() && name >= all.front().first; }
 };
 

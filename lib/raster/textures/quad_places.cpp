@@ -23,7 +23,7 @@ HWY_INLINE float_vec difference(float_vec a, float_vec b, float_vec c, float_vec
     return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// A bilinear function, less its value at (0, 0).
+/// A bilinear function that is 0 at (0, 0).
 struct bilinear {
     float_vec s, t, st;
 
@@ -40,8 +40,9 @@ struct bilinear {
     }
 };
 
-/// The offset of (w x, w y) at (s, t) from w times the pixel's place. It holds the derivatives of
-/// this offset by s and t, and the inverse of their determinant.
+/// A step of Newton's method. It has the offset of (w x, w y) at (s, t) from w times the pixel's
+/// place. It also has the derivatives of this offset by s and t, and the inverse of their
+/// determinant.
 struct lane_map {
     float_vec dx, dy, x_s, x_t, y_s, y_t, over;
 
@@ -57,18 +58,18 @@ struct lane_map {
     }
 };
 
-/// Keeps parameters near the quad, where the map is nearly linear.
+/// Clamps a parameter to a range beside the quad, where the map is nearly linear.
 HWY_INLINE float_vec between(float_vec v, float least, float most) {
     return hn::Min(hn::Max(v, set(least)), set(most));
 }
 
-/// A quad as functions that are bilinear in s and t from 0 to 1. The functions x and y are
-/// multiplied by w. At (0, 0), w is 1 and both of these are 0.
+/// A quad: x, y, w and the places in the texture as bilinear functions of s and t from 0 to 1. x
+/// and y are multiplied by w. At (0, 0), w is 1, and x and y are 0.
 struct lane_quad {
     float_vec left, top; ///< from the corner at (0, 0) to the pixel
     bilinear x, y, w;
     float_vec places[2]; ///< in the texture, at (0, 0)
-    bilinear ways[2];    ///< how places change from there
+    bilinear ways[2];    ///< changes of the places from (0, 0)
 
     /// Sets x, y and w from the corners at (0, 0), (1, 0), (0, 1) and (1, 1). The last one of a
     /// triangle is not used.
@@ -101,7 +102,7 @@ HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<floats> shown, const 
     const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
     float_vec s = set(0.5F), t = set(0.5F);
     // The map is linear except for its terms in s t. The first step leaves an error in proportion
-    // to these terms. Any other one leaves about these terms times the square of its length.
+    // to these terms. A later step of length h leaves an error of about h^2 times these terms.
     const auto step = [&](hn::Mask<floats> moved) HWY_ATTR {
         const lane_map map(x, y, quad.left, quad.top, s, t);
         constexpr float beside = 0.25F; // how far a step may go beyond the quad
@@ -119,7 +120,7 @@ HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<floats> shown, const 
         step(is_rough);
     s = between(s, 0, 1);
     t = between(t, 0, 1);
-    // A step of 1 of the pixel changes w x or w y by w.
+    // If the pixel moves by 1, w x or w y changes by w.
     const lane_map map(x, y, quad.left, quad.top, s, t);
     const float_vec per_pixel =
         hn::IfThenElseZero(shown, hn::Mul(map.over, hn::Add(set(1.0F), quad.w.at(s, t))));
@@ -176,7 +177,8 @@ private:
         return hn::Mul(hn::ConvertTo(floats(), place), set(1.0F / l3d_subpixel_one));
     }
 
-    /// Sets the places and changes of quads from the rows and columns of their first corners.
+    /// Sets the texture places of quads, and their changes, from the rows and columns of the first
+    /// corners.
     ///
     /// Rows begin at multiples of 16 m vertices, for a whole m. With n = floor(index / 16), the
     /// quotient (n + 1/2) / m is at least 1/(2 m) away from any whole number. So floats round it

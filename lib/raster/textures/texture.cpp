@@ -28,8 +28,8 @@ struct float_picture {
     }
 };
 
-/// Calls add(from, weight) for those of `size` pixels that pixel `at` of `smaller` ones covers. The
-/// weights are their shares of it.
+/// Calls add(from, weight) for those of `size` pixels that pixel `at` of the `smaller` ones covers.
+/// A weight is the covered share of the smaller picture's pixel.
 template <class Add> void visit_covered(int at, int smaller, int size, const Add& add) {
     // In these units, a pixel of the smaller picture is `size` wide, and one of the larger picture
     // `smaller`.

@@ -20,11 +20,11 @@
 
 /// The way to find a pixel's colour in a texture's picture. The pixel covers some part of it.
 enum class L3D_PUBLIC l3d_texture_filter {
-    nearest,    ///< the picture's pixel under the middle of the drawn pixel
-    bilinear,   ///< bilinear interpolation between the four pixels around that place
-    trilinear,  ///< bilinear in two smaller pictures, whose pixels are as wide as the part is long
-    anisotropic ///< mean of up to 16 trilinear colours along the part, each as fine as the part is
-                ///< narrow
+    nearest,   ///< the picture's pixel under the middle of the drawn pixel
+    bilinear,  ///< bilinear interpolation between the four pixels around that place
+    trilinear, ///< bilinear in two smaller pictures, whose pixels are as wide as the part is long
+    /// Mean of up to 16 trilinear colours along the part, each as fine as the part is narrow.
+    anisotropic
 };
 
 /// The filters' names for users.
@@ -87,8 +87,8 @@ public:
     l3d_detail::texture_view view() const;
 
     /// The light of a pixel that covers this part; 1 is the light of level 255. The result has the
-    /// same bits on every processor. As the part's length, `trilinear` takes the longer one of the
-    /// two steps. `anisotropic` takes the axes of the ellipse in the parallelogram.
+    /// same bits on every processor. `trilinear` takes the longer one of the two steps as the
+    /// part's length. `anisotropic` takes the axes of the ellipse in the parallelogram.
     /// Expects: finite numbers.
     l3d_light_color light(l3d_texture_filter filter, const l3d_texture_place& place) const;
 
@@ -110,18 +110,17 @@ struct L3D_PUBLIC l3d_painted_triangle {
 /// A model made of painted triangles, and its place in the picture.
 ///
 /// In each pixel, values between the corners are those on the triangle's exact plane, and so are
-/// their changes to the next pixels. Light is linear. It is the product of three lights: of the
-/// material's colour, of the colour interpolated between the corners, and of the texture.
+/// their changes to the next pixels. Light is linear. It is the product of three lights: that of
+/// the material's colour, of the colour interpolated between the corners, and of the texture.
 /// Lives:   borrows its arrays.
 struct L3D_PUBLIC l3d_painted_model {
-    std::uint32_t first = 0;          ///< the number of material that parts use for its first
-                                      ///< triangle
+    std::uint32_t first = 0;          ///< number of material that parts use for its first triangle
     std::uint32_t first_material = 0; ///< the index of its first material in the frame's list
     /// Maps a vertex to the picture: x and y in pixels, both times w, and w in the last row.
     l3d_matrix<double> to_picture = l3d_matrix<double>();
     std::span<const l3d_vector<double, 3>> vertices; ///< vertices of the model
-    std::span<const l3d_painted_triangle> triangles; ///< in order: each has the next number of
-                                                     ///< material
+    /// Triangles; each has the next number of material.
+    std::span<const l3d_painted_triangle> triangles;
     /// The pictures that materials name. A null pointer, or an index beyond the last, is no
     /// texture.
     std::span<const std::shared_ptr<const l3d_texture>> textures;

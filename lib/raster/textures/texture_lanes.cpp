@@ -42,8 +42,8 @@ HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     }
 }
 
-/// The first of the two pixels around places along one axis, and the share of the second. Both may
-/// lie in the level's border of one pixel.
+/// The two pixels beside places along one axis: the first, and the share of the second. Both may
+/// lie in the border of one pixel around the level.
 struct neighbours {
     int_vec first;
     float_vec share;
@@ -122,12 +122,12 @@ HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of,
     to.add(lower.second, lower_right);
 }
 
-/// The two levels whose pixels are nearest in width to a footprint: one not wider than it, and the
-/// next one.
+/// Two neighbouring levels for a footprint: one whose pixels are not wider than it, and the next
+/// smaller picture.
 class level_pair {
 public:
-    /// The exponent of a width is the number of the larger level, and its mantissa tells the share
-    /// of the smaller one.
+    /// In the width as a float, the exponent is the number of the larger level, and the mantissa
+    /// tells the share of the smaller one.
     HWY_INLINE level_pair(const texture_view& texture, float_vec width) : texture_(texture) {
         const float_vec held_width = hn::Min(hn::Max(width, set(1.0F)), set(widest));
         const int_vec bits = hn::BitCast(ints(), held_width), one = hn::BitCast(ints(), set(1.0F));
@@ -167,7 +167,8 @@ HWY_INLINE void add_nearest(const texture_view& texture, float_vec u, float_vec 
     to.add(hn::GatherIndex(ints(), words_of(texture), place), set(1.0F));
 }
 
-/// How places change from a pixel to those on its right and below, in pixels of the texture.
+/// The steps in the texture from a pixel to those on its right and below. Units: pixels of the
+/// texture.
 struct footprint {
     float_vec right_u, right_v, down_u, down_v;
 
@@ -191,9 +192,9 @@ struct footprint {
 
 /// Adds several samples along the longer axis of a pixel's footprint.
 ///
-/// The linear map from the picture's pixels to the texture's makes an ellipse of a circle. Its half
-/// axes are as long as the map's singular values. The longer one is an eigenvector of the map times
-/// its transpose.
+/// The linear map from the picture's pixels to the texture's maps a circle to an ellipse. The
+/// ellipse's half axes are as long as the map's singular values. The longer one is an eigenvector
+/// of the map times its transpose.
 HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of, float_vec u,
                                 float_vec v, light_sums& to) {
     const float_vec zero = hn::Zero(floats()), one = set(1.0F), half = set(0.5F);
@@ -209,8 +210,8 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
     const float_vec longer = hn::Sqrt(square);
     const auto has_axis = hn::Gt(longer, zero);
     const float_vec shorter = hn::IfThenElseZero(has_axis, hn::Div(area, longer));
-    // A footprint that is hardly longer than a whole number of samples gets no further one, which
-    // would only blur.
+    // A footprint that is hardly longer than a whole number of samples gets no further sample,
+    // which would only blur.
     constexpr float round = 1.0F / 16;
     constexpr auto most = static_cast<float>(l3d_texture::most_samples);
     const float_vec wanted = hn::Ceil(hn::Sub(hn::Div(longer, hn::Max(shorter, one)), set(round)));
@@ -225,8 +226,8 @@ HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of
         hn::Div(hn::Mul(along_u, scale), set(static_cast<float>(texture.width)));
     const float_vec step_v =
         hn::Div(hn::Mul(along_v, scale), set(static_cast<float>(texture.height)));
-    // A single sample is as wide as the footprint is long. Several ones are at least as wide as the
-    // footprint.
+    // A single sample is as wide as the footprint is long. If there are several, they are at least
+    // as wide as the footprint.
     const float_vec width =
         hn::IfThenElse(hn::Eq(count, one), longer, hn::Max(shorter, hn::Div(longer, count)));
     const level_pair levels(texture, width);

@@ -15,22 +15,23 @@ namespace l3d_detail {
 
 /// The pixels of an l3d_texture in memory. Lives: borrows the texture.
 struct texture_view {
-    static constexpr std::size_t most_levels = 32; ///< halvings of any width or height, and one
-    /// Each word has the roots of the light of red, green and blue, from the highest bit on; the
-    /// largest numbers stand for the light of a level of 255. A border of one pixel is around each
-    /// picture, with what is seen beyond.
+    /// As many as any width or height can be halved, and one more.
+    static constexpr std::size_t most_levels = 32;
+    /// Each word has the roots of the light of red, green and blue, from the highest bit on. The
+    /// largest numbers stand for the light of level 255. A border of one pixel around each picture
+    /// shows what lies beyond it.
     const std::uint32_t* texels = nullptr;
     static constexpr std::array<int, 3> bits{11, 11, 10};
     int width = 0, height = 0, levels = 0;
     l3d_texture_wrap wrap_u{}, wrap_v{};
     std::array<std::int32_t, most_levels> first{}; ///< place of a level's first pixel
 
-    /// The words from row to row of a level of this width.
+    /// The distance from row to row, in words, in a level of this width.
     static constexpr int pitch(int width) { return width + 2; }
 };
 
-/// A place within two pictures from 0 where a repeated picture looks the same. At such places,
-/// floats can hold fractions of its pixels.
+/// Moves a place in a repeated picture to within two pictures from 0, where the picture looks the
+/// same. There, floats can hold fractions of the picture's pixels.
 inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     if (wrap == l3d_texture_wrap::clamp)
         return place;
@@ -44,8 +45,8 @@ inline double place_near_zero(double place, l3d_texture_wrap wrap) {
 ///        at first.
 struct painted_pixels {
     static constexpr std::size_t most = 64;
-    static constexpr std::size_t room = most + 16; ///< elements, with the widest vector behind the
-                                                   ///< last one
+    /// Elements, with room for the widest vector behind the last.
+    static constexpr std::size_t room = most + 16;
     template <class T> using row = std::array<T, room>;
     using numbers = row<float>;
 
@@ -57,8 +58,8 @@ struct painted_pixels {
 
     /// Sets the part of a texture that a pixel covers.
     void set(std::size_t i, const l3d_texture& of, const l3d_texture_place& place) {
-        // A pixel that covers 2^33 pictures shows their mean. They have 2^60 pixels at most, whose
-        // square is a float.
+        // A pixel that covers 2^33 pictures shows their mean. So wide a part has 2^60 pixels at
+        // most, whose square is a float.
         const auto way = [](double w) {
             return static_cast<float>(std::clamp(w, -0x1p33, 0x1p33));
         };
@@ -76,16 +77,17 @@ struct pixel_range {
     std::size_t begin = 0, end = 0;
 };
 
-/// The levels of light, for lanes.
+/// A table that turns light into levels, for lanes.
 ///
-/// Floats whose upper 16 bits are the same are a step. From `least` on, a step is no longer than
-/// 1/128 of its light, and levels are 1/115 apart or more. So at most one level begins in a step.
+/// A step is a range of floats with the same upper 16 bits. From `least` on, a step is no longer
+/// than 1/128 of its light, and levels begin at least 1/115 of their light apart. So at most one
+/// level begins in a step.
 struct level_steps {
     static constexpr float least = 0x1p-13F; ///< less than half a level
     static constexpr int lower_bits = 16;
     static constexpr std::size_t steps = 13 * 128 + 1; ///< the last one is 1
     /// The lowest byte is the level where the step begins. The upper bytes are the least lower bits
-    /// of a float that belong to the next level.
+    /// of a float in this step that belong to the next level.
     std::array<std::int32_t, steps> level{};
     level_steps();
 };
@@ -99,10 +101,10 @@ void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
 /// The words of the nearest levels of the light, as linear_light::level finds them.
 void encode_light(const pixel_range& range, painted_pixels& pixels);
 
-/// The name of a pixel that shows none.
+/// The name of a pixel that shows no polygon.
 inline constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
-/// Pixels of a row, the names that they show, and where they are.
+/// Pixels of a row, the names of the polygons that they show, and their places.
 struct named_pixels {
     alignas(64) painted_pixels::row<std::uint32_t> names; ///< no_name behind the last pixel, too
     std::size_t count = 0;

@@ -13,7 +13,8 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Positive floats from 1/2 on that rise with the place. They are ordered like their bits.
+/// Turns a place in the order into a depth: a positive float from 1/2 on. Floats are ordered like
+/// their bits.
 float depth_of_place(std::size_t place) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(0.5F) +
                                 static_cast<std::uint32_t>(place));

@@ -23,8 +23,8 @@ struct l3d_painter_triangle {
     std::uint32_t material = 0; ///< index of the material with which it is painted
 };
 
-/// A cut of a triangle by another one's plane. It keeps the pixels in which the triangle is in
-/// front of the plane, or those behind.
+/// A cut of a triangle by the plane of another one. It keeps the pixels in which the triangle is in
+/// front of the plane, or the pixels in which it is behind.
 ///
 /// Two planes meet along a line in the picture, as 1/w of a plane is linear there. This line
 /// divides the pixels without gap and without overlap. No corners are made, so pieces keep the
@@ -86,13 +86,12 @@ private:
 
     l3d_workers& workers_;
     l3d_surface_rasterizer_sw filler_;
-    std::vector<l3d_surface_part> parts_; ///< the surface parts of whole triangles, the topmost
-                                          ///< first
+    /// The surface parts of whole triangles, the topmost first.
+    std::vector<l3d_surface_part> parts_;
     std::vector<const l3d_surface_part*> drawn_;
     std::vector<l3d_detail::cut_triangle> cut_;
     std::vector<l3d_detail::plane_cut> plane_cuts_; ///< cuts of all cut triangles
-    l3d_depth_buffer places_;                       ///< place in the order of the topmost piece in
-                                                    ///< each pixel
+    l3d_depth_buffer places_;                       ///< rank of the topmost piece in each pixel
     l3d_depth_buffer line_depths_;                  ///< depths of lines in fog
 };
 

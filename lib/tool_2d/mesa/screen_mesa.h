@@ -10,10 +10,10 @@
 #include <string>
 #include <utility>
 
-/// Makes windows where a display can show them, else screens that nobody sees.
+/// Makes windows where a display can show them, otherwise screens that nobody sees.
 ///
-/// GL draws off-screen and its picture is copied, so any screen serves; this kind needs a software
-/// GL.
+/// GL draws off-screen and its picture is copied, so any screen serves. This kind of screen needs a
+/// software GL.
 class l3d_screen_factory_mesa final : public l3d_screen_factory {
 public:
     /// Asks for the GL of this library: auto, egl or osmesa. If it is empty, L3D_MESA names the

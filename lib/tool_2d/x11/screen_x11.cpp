@@ -55,12 +55,12 @@ std::uint32_t margin_word(const l3d_pixels& picture) {
 
 /// A screen with the window, the image and the events of one display.
 ///
-/// If there is no buffer yet for a picture, show waits a little. Then the next call that asks for
-/// events shows the picture.
+/// If no buffer is free for a picture, show waits a little. Then the next call that asks for events
+/// shows the picture.
 class l3d_screen_x11 final : public l3d_screen {
 public:
-    /// `no_shm` is why memory shall not be shared; if it is empty, memory is shared. If `sparing`
-    /// is set, pictures that go over the connection are sent by x11_image_sparing.
+    /// If `no_shm` is empty, memory is shared; else it is the reason why not. If `sparing` is set,
+    /// pictures that go over the connection are sent by x11_image_sparing.
     /// Errors:  std::bad_alloc.
     l3d_screen_x11(std::unique_ptr<x11_window> window, l3d_size size, std::string no_shm,
                    bool sparing)
@@ -106,8 +106,8 @@ private:
     void tell_shown();
     void look_around();
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
-    /// Whether the program can have an event. A key about fullscreen waits while news of fullscreen
-    /// from the server, sent before the key, may still be under way.
+    /// Whether the program can have an event. A key about fullscreen waits if earlier news about
+    /// fullscreen may still be on the way from the server.
     bool has_event() const {
         const bool knows = !state_.is_asking() || window_->connection().lost();
         return !events_.empty() && (knows || !events_.is_about_fullscreen());
@@ -152,8 +152,8 @@ void l3d_screen_x11::open() {
         window_->take_focus();
 }
 
-/// Makes an image in shared memory as long as that works, and one that goes over the connection
-/// ever after.
+/// Makes an image in shared memory, as long as that works. Once it fails, all images go over the
+/// connection.
 std::unique_ptr<x11_image> l3d_screen_x11::make_image(l3d_size size) {
     if (no_shm_.empty()) {
         std::string why;
@@ -221,8 +221,8 @@ void l3d_screen_x11::put_if_due(steady_clock::time_point deadline) {
     sync_is_due_ = true;
 }
 
-/// Reads all that the server sent so far. The last call is XPending: writing may read, too, and
-/// what it read would not wake a sleeper.
+/// Reads everything that the server has sent. The last call is XPending: writing may read, too, and
+/// events that were read so would not wake a sleeper.
 void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
     do {
         image_->look_after();
@@ -236,7 +236,8 @@ void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
         events_.take_display_lost();
 }
 
-/// Asks the server for further facts, mostly after the first picture, which so comes sooner.
+/// Asks the server for further facts. Most of these questions wait for the first picture, so that
+/// it comes sooner.
 void l3d_screen_x11::look_around() {
     if (image_->is_sending())
         return;
@@ -384,8 +385,8 @@ bool is_sparing(const x11_connection& connection, l3d_remote wish) {
     return wish == l3d_remote::on || (wish == l3d_remote::automatic && !connection.is_local());
 }
 
-/// Puts a window on the screen and waits until the server wants it drawn.
-/// Shape:   `no_shm` is why memory shall not be shared; if it is empty, memory is shared.
+/// Puts a window on the screen, and waits until the server wants it drawn.
+/// Shape:   if `no_shm` is empty, memory is shared; else it is the reason why not.
 /// Cost:    returns after two seconds at the latest.
 std::unique_ptr<l3d_screen> open_screen(std::unique_ptr<x11_connection> connection,
                                         const l3d_screen_request& request, std::string no_shm,

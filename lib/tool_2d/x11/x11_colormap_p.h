@@ -50,14 +50,14 @@ struct palette_shape {
 /// The largest difference of two words in a channel, 0..255.
 int channel_difference(std::uint32_t one, std::uint32_t other);
 
-/// The largest palette that a map with these unchangeable cells allows. Each of its colours has the
+/// The largest palette for a map whose cells cannot be changed. Each of its colours is shown by the
 /// nearest cell.
 /// Errors:  nothing if the map lacks cells near black or white or, except for a ramp, near one of
 ///          the other six corners of the cube.
 std::optional<l3d_palette> palette_of_cells(std::span<const std::uint32_t> cells, bool ramp);
 
-/// The palette of all pixels that masks of few bits can make. Palettes are dithered, which hides
-/// how few levels there are.
+/// The palette of all pixels that masks of few bits can make. Unlike masks, palettes are dithered,
+/// which hides how few levels there are.
 l3d_palette palette_of_masks(const l3d_screen_info& info);
 
 /// A colormap, our cells in it, and the format of its pixels.

@@ -24,9 +24,9 @@
 namespace l3d_detail {
 namespace {
 
-/// Empties Xlib's buffer, which nobody will read. The first request of Xlib after one of XCB may
-/// find the server gone while it makes room for itself. Extensions of libX11 1.8 then write to a
-/// null pointer, as `a_server_may_die_between_two_libraries` shows.
+/// Makes room in Xlib's buffer, whose contents nobody will read. The first request of Xlib after
+/// one of XCB may find the server gone while Xlib makes room for the request. Extensions of libX11
+/// 1.8 then write to a null pointer, as `a_server_may_die_between_two_libraries` shows.
 /// Expects: Xlib has just called the handler of broken connections for this display.
 void make_x11_room(Display* display) {
     display->bufptr = display->buffer;
@@ -86,12 +86,12 @@ namespace {
 /// The place to jump to if the server dies in ask_safely(); else null.
 thread_local std::jmp_buf* way_out = nullptr;
 
-// The size that we ask for the socket's buffer: 8 MiB, two pictures of 1024 x 768. The system gives
-// what it allows, which on Linux is 208 KiB unless told otherwise. Pictures go in pieces of at most
-// one request of the protocol (262 KB, without the extension for larger ones). Before each piece,
-// the socket is asked whether there is room. So a large buffer does not make pieces large. It lets
-// many pieces go before anybody waits: half of the size that the system gave, 2 MiB where it allows
-// 4.
+// The size to ask for the socket's buffer: 8 MiB, two pictures of 1024 x 768. The system gives what
+// it allows; on Linux, that is 208 KiB unless the limit was changed. Pictures go in pieces of at
+// most one request of the protocol (262 KB, without the extension for larger ones). Before each
+// piece, the socket is asked whether there is room. So a large buffer does not make pieces larger.
+// It takes many pieces before anybody waits: half of the size that the system gave, 2 MiB where it
+// allows 4.
 constexpr int wanted_buffer = 1 << 23;
 // The size of a request beside its data: 24 bytes for a picture.
 constexpr std::size_t own_size = 32;
@@ -232,7 +232,7 @@ void x11_connection::widen() {
         buffer = 0;
     // Linux calls a local socket writable when at most a quarter of its buffer is full. A fifth of
     // the other three quarters is left for the kernel's own records. Requests are counted in words
-    // of four bytes. Xlib cuts larger ones than `largest`, and waits before each piece.
+    // of four bytes. Xlib cuts requests larger than `largest`, and waits before each piece.
     const auto largest = 4 * static_cast<std::size_t>(XMaxRequestSize(display_)) - own_size;
     writable_size_ = std::clamp(static_cast<std::size_t>(buffer) / 5 * 3, least_writable, largest);
 }

@@ -71,10 +71,11 @@ public:
     /// Whether the server is gone. From then on no call reaches it, and none may wait for it.
     bool lost() const { return lost_; }
 
-    /// Sleeps until the server sent something.
-    /// Expects: nothing was read since XPending last said 0; else there may be nothing to wait for.
-    /// Errors:  false when the time is over, a signal came, or the file `waker` can be read; -1 is
-    ///          no file.
+    /// Sleeps until the server has sent something.
+    /// Expects: nothing was read since XPending last returned 0; otherwise there may be nothing to
+    ///          wait for.
+    /// Errors:  false when the time is over, a signal came, or the file `waker` can be read; -1
+    ///          stands for no file.
     bool wait_readable(std::chrono::steady_clock::time_point deadline, int waker = -1) const;
 
     /// Sleeps until a request with writable_size() bytes of data can be sent without blocking.
@@ -141,8 +142,8 @@ public:
     /// Cost:    one round trip.
     int sync();
 
-    /// As sync() without a round trip: covers the requests before the last one that waited for a
-    /// reply.
+    /// As sync(), but without a round trip. It covers only requests before the last one that waited
+    /// for a reply.
     int error() const { return connection_.trapped_error_; }
 
 private:

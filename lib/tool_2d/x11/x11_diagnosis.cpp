@@ -121,8 +121,8 @@ l3d_probe probe_sharing(x11_connection& connection) {
 
 /// Opens a connection. If there is no display, returns null and adds a probe with the reason.
 ///
-/// Xlib does not connect to a server that refuses, as the library below it would print a line each
-/// time.
+/// It does not let Xlib connect to a server that refuses, since the library below Xlib would print
+/// a line each time.
 std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
     const auto before = std::ranges::find(probes, l3d_display_probe, &l3d_probe::what);
     if (before != probes.end() && before->outcome == verdict::bad)

@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// False if DISPLAY names another host ("host:7", "[::1]:7.0") and nobody there takes a TCP
-/// connection in time. Xlib itself would wait as long as the kernel does, two minutes.
+/// Whether the host that DISPLAY names ("host:7", "[::1]:7.0") takes a TCP connection in time. Xlib
+/// itself would wait as long as the kernel does, two minutes.
 ///
 /// The result is true for a name without a host, since this machine answers or refuses at once.
 /// Cost:    besides `longest`, the time that looking up the host's name takes.

@@ -11,10 +11,10 @@
 
 namespace l3d_detail {
 
-/// Enlarges parts of a picture in the server. It uses core requests alone, since untrusted clients
+/// Enlarges parts of a picture in the server. It uses only core requests, since untrusted clients
 /// have no others.
 ///
-/// The columns of a small picture are moved apart. The gaps are filled by copies of the whole, each
+/// The columns of a small picture are moved apart. Copies of the whole then fill the gaps, each
 /// shifted by twice as much as the copy before. Rows are enlarged in the same way.
 /// Lives:   the window outlives it.
 /// Cost:    memory in the server for almost two large pictures. A part of w x h cells takes w + h

@@ -64,11 +64,11 @@ public:
     /// it has not read must not pile up.
     bool is_free() const { return do_is_free(); }
 
-    /// Sends a part of the picture, and asks for an event that tells when the server has it.
-    /// Requests that Xlib still buffers go out when events are next asked for. The words may change
-    /// afterwards.
+    /// Sends a part of the picture, and asks for an event that tells when the server has it. Xlib
+    /// may buffer the requests until events are next asked for. The words may change after the
+    /// call.
     /// Expects: is_free(). The picture has the size that this was made for. Outside of the part it
-    ///          is the same as in the put before. The part is not empty, and is the whole picture
+    ///          is the same as in the last put. The part is not empty, and is the whole picture
     ///          the first time.
     /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and
     ///          copies the rest.
@@ -82,7 +82,7 @@ public:
     void set_text(const std::vector<l3d_pixel_box>& boxes) { do_set_text(boxes); }
 
     /// Sends the rest that put could not send without blocking, makes coarse parts fine, and asks
-    /// for overdue answers. To be called now and then before events are read.
+    /// for overdue answers. Call it now and then before events are read.
     void look_after() { do_look_after(); }
 
     /// The time at which look_after has something to do even if the server sends nothing.
@@ -101,8 +101,8 @@ public:
     /// Takes the event if it is an answer to put; false if it is not.
     bool take(const XEvent& event) { return do_take(event); }
 
-    /// Whether this way has turned out not to work. Pictures that were put may not have been seen.
-    /// Another x11_image has to go on.
+    /// Whether this way of sending has failed. Pictures that were put may not have been seen, so
+    /// another x11_image has to replace this one.
     /// Errors:  true, with one line in `why`.
     bool has_failed(std::string& why) const { return do_has_failed(why); }
 
@@ -125,14 +125,14 @@ private:
 };
 
 /// Makes an image whose pictures travel over the connection, in the display's own pixels.
-/// Shape:   `size` in pixel words; the window's own pixels are scale() times as many.
+/// Shape:   `size` in pixel words; the window's own size is scale() times as large.
 /// Errors:  std::bad_alloc.
 /// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size size);
 
-/// Makes an image for a slow line. Only pixels that differ from those sent before travel. If they
-/// are many, fewer and coarser ones travel, which the server enlarges; once no picture comes for a
-/// while, the fine ones follow.
+/// Makes an image for a slow line, which sends only pixels that differ from those sent before. If
+/// there are many, it sends fewer and coarser ones, which the server enlarges. The fine ones follow
+/// once no picture has come for a while.
 /// Errors:  as make_x11_image_put.
 /// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_sparing(const x11_window& window, l3d_size size);

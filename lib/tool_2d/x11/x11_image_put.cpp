@@ -48,7 +48,7 @@ private:
             keep_rest();
     }
 
-    /// The end of the rows from next_row_ on that go in one piece.
+    /// The end of the rows, from next_row_ on, that go in one piece.
     int end_of_piece() const {
         const auto row = static_cast<std::size_t>(box_.right - box_.left) *
                          static_cast<std::size_t>(window_.info().bytes_per_pixel());
@@ -56,8 +56,8 @@ private:
         return std::min(box_.bottom, next_row_ + std::max(1, most));
     }
 
-    /// Sends each piece once there is room for it, and at the end the question. Even a small
-    /// request would block right after a large one.
+    /// Sends each piece once there is room for it. At the end, it asks for the event that tells
+    /// when all is done. Even a small request would block right after a large one.
     void send(time_point deadline) {
         while (is_sending()) {
             if (!window_.connection().wait_writable(deadline))
@@ -106,7 +106,7 @@ private:
     std::vector<std::uint8_t> bytes_; ///< bytes to send, unless the words themselves are sent
     l3d_pixel_box box_;               ///< the part that is sent, in native pixels
     int next_row_ = 0;                ///< the rows above this one are sent
-    bool is_sending_ = false;         ///< pieces, or the question at the end, are still to be sent
+    bool is_sending_ = false; ///< whether pieces, or the question at the end, are still to be sent
     x11_echo echo_;
 };
 

@@ -25,8 +25,9 @@ using namespace std::chrono_literals;
 // pictures are sent in coarse cells first, and their fine pixels follow in pieces of this size. So
 // a key waits for one piece at most.
 constexpr std::int64_t bytes_at_once = 80'000;
-// The divisor of those bytes for text: up to that part, text goes with a picture, and more text
-// goes alone. Each picture also takes as many pixels at rest, however much moves beside them.
+// The divisor of bytes_at_once for text. Text with no more bytes goes with a picture; more text
+// goes by itself. Each picture also takes at least that many bytes of pixels that have come to
+// rest.
 constexpr std::int64_t small_part = 4;
 // The time without a picture after which things have come to rest. At 15 pictures a second, three
 // are missing by then.
@@ -106,8 +107,8 @@ private:
         send(deadline);
     }
 
-    /// Adds the pixels that changed. Besides, it adds at least `least_rest` of the pixels that have
-    /// come to rest, if there are so many.
+    /// Adds the pixels that changed, and pixels that have come to rest: at least `least_rest` of
+    /// these, if there are so many.
     void add_motion(const l3d_pixels& picture, std::int64_t least_rest) {
         const int factor = factor_for(changed_.pixels());
         const std::int64_t room = pixels_at_once() - changed_.pixels() / (factor * factor);
@@ -132,7 +133,7 @@ private:
         if (text == text_)
             return;
         text_ = std::move(text);
-        // The window may still show cells where text appears on an unchanged picture.
+        // The window may still show cells at places where text appears on an unchanged picture.
         for (const l3d_pixel_box& box : text_)
             for (x11_tiles* tiles : {&changed_, &coarse_}) {
                 for (const l3d_pixel_box& part : tiles->inside(box))
@@ -330,7 +331,7 @@ private:
         }
     }
 
-    /// Ends the steps, if there are any, by a question whose answer tells that they are done.
+    /// Ends the steps, if there are any, by a question, whose answer tells that all are done.
     void add_question() {
         if (!steps_.empty())
             steps_.emplace_back([this] { echo_.ask(); });
@@ -352,7 +353,7 @@ private:
         if (!do_is_idle() || steady_clock::now() < do_next_look())
             return;
         if (add_text() == 0) {
-            // Changed pixels may wait since a picture whose text went alone.
+            // Changed pixels still wait if the last picture's text went by itself.
             for (const l3d_pixel_box& box : changed_.take())
                 coarse_.add(box);
             add_fine(coarse_.take(pixels_at_once()));

@@ -93,7 +93,7 @@ bool have_same_pixels(XImage& one, XImage& other) {
 }
 
 /// Whether the server sees the pixels that this program writes.
-/// Expects: a trap from before the server was told of the segment.
+/// Expects: `trap` was set before the server was told of the segment.
 bool server_sees(x11_shm_segment& segment, XImage& row, const x11_connection& connection,
                  const x11_error_trap& trap, std::string& why) {
     std::random_device random;

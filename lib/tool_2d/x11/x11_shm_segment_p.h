@@ -18,15 +18,15 @@ namespace l3d_detail {
 
 /// Memory that this process writes and the server reads.
 ///
-/// If the server knows how to take one (MIT-SHM 1.2), the memory is a file without a name, which is
-/// handed to the server. Such memory cannot be mistaken for another's, has no limits of its own,
-/// and works from within a container. Otherwise it is a segment of System V. Nobody else may open
-/// that (mode 0600), and its name is removed at once. The kernel frees either kind with the last
+/// If the server supports it (MIT-SHM 1.2), the memory is a file without a name, which is handed to
+/// the server. Such memory cannot be mistaken for another's, has no limits of its own, and works
+/// from within a container. Otherwise it is a segment of System V. Nobody else may open this
+/// segment (mode 0600), and its name is removed at once. The kernel frees either kind with the last
 /// process that has it, however that process ends.
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:
-    /// Makes a segment. With the first one of a connection, it proves that sharing works. The
+    /// Makes a segment. For the first segment of a connection, it proves that sharing works: the
     /// server must answer that it has taken the file, or that it reads our pixels in the segment of
     /// System V. A server in another IPC namespace may find a stranger's memory under our number.
     ///

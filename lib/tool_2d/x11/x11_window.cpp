@@ -46,8 +46,8 @@ constexpr unsigned char icon_file[] = {
 };
 
 /// The library's icon for desktops, in the form of _NET_WM_ICON. It is width, height, and
-/// 0xAARRGGBB for each pixel from the top left on. Each number is a long, whatever the size of
-/// that.
+/// 0xAARRGGBB for each pixel from the top left on. Each number is a long, whatever its
+/// size.
 /// Source:  Extended Window Manager Hints, 1.3.
 std::vector<long> icon() {
     png_image picture{};

@@ -48,14 +48,14 @@ public:
     /// The side, in display pixels, of the square that shows a pixel of ours.
     int scale() const { return scale_; }
 
-    /// Notes the display's fineness, as x11_fineness gives it. True if text_scale() changes by
-    /// that.
+    /// Notes the display's fineness, as x11_fineness gives it. Returns whether text_scale()
+    /// changes.
     bool set_fineness(double fineness);
 
     /// See l3d_screen::text_scale.
     double text_scale() const { return text_scale_; }
 
-    /// Converts a length or place from display pixels to ours. A size is rounded up, so that its
+    /// Converts a place from display pixels to ours, rounded down. Sizes are rounded up, so the
     /// last pixel may be cut.
     int ours(int native) const { return (native < 0 ? native - scale_ + 1 : native) / scale_; }
     l3d_size ours(l3d_size native) const {
@@ -74,8 +74,8 @@ public:
     /// The parts of this program that may want all motion of the pointer.
     enum class watcher : unsigned { fullscreen = 1, program = 2 };
 
-    /// Says whether `who` needs all motion of the pointer, or only motion while a button is held.
-    /// The server tells all of it as long as one of them needs it.
+    /// Sets whether `who` needs all motion of the pointer, or only motion while a button is held.
+    /// The server reports all motion as long as one watcher needs it.
     void watch_pointer(watcher who, bool always);
 
     /// A cursor without any pixel. Lives: until it is freed, or the connection ends.

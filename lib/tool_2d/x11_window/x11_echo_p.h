@@ -13,9 +13,8 @@ namespace l3d_detail {
 
 /// Tells when the server has done all earlier requests.
 ///
-/// We send an event to our own window. The server works in order, so it arrives after all earlier
-/// requests are done; and unlike a request with a reply it makes nobody wait.
-/// Lives:   the window outlives the echo.
+/// We send an event to our own window. The server works in order, so the event comes back after all
+/// earlier requests are done. Unlike a request with a reply, it makes nobody wait.
 class x11_echo {
 public:
     explicit x11_echo(const x11_window& window) : window_(window) {}

@@ -18,13 +18,13 @@ namespace l3d_detail {
 
 /// Translates the events of one window and keeps them until they are asked for.
 ///
-/// Some events are kept once, since only the latest matters: the size, the window's visibility, a
-/// lost picture, and the pointer's place until something else happens. Every key that is told
-/// pressed is told released, by the time the window loses the keyboard at the latest.
+/// It keeps only the latest of some events: the size, the window's visibility, a lost picture, and
+/// the pointer's place until something else happens. Every key whose press is reported is also
+/// reported as released, when the window loses the keyboard at the latest.
 ///
 /// Xlib reads the keymap when it looks up the first key, and after each change. It then waits for
-/// the server, and cannot hear a first signal. So the keymap is read right after an answer of the
-/// server, and later events of the user wait until then.
+/// the server, and does not notice a first signal. So the keymap is read right after an answer of
+/// the server, and later events of the user wait until then.
 class x11_events {
 public:
     /// `size` is the window's first size.
@@ -37,7 +37,7 @@ public:
     /// Call after the first picture: it reads the keymap early, so the first key need not wait.
     void want_keyboard();
 
-    /// Asks for an answer of the server if the keymap is to be read. To be called now and then.
+    /// Asks for an answer of the server if the keymap has to be read. Call it now and then.
     void look_after();
 
     /// Notes that a fine wheel turned with the pointer at this place.
@@ -46,7 +46,7 @@ public:
     /// Adds the last event of all: the server is gone.
     void take_display_lost() { push({.type = l3d_event_type::display_lost}); }
 
-    /// Notes whether the window is out of sight for a reason that none of its events tells.
+    /// Notes whether the window is out of sight for a reason that its events do not tell.
     void set_away(bool away) {
         away_ = away;
         look();

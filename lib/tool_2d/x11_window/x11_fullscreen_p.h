@@ -13,10 +13,10 @@ namespace l3d_detail {
 
 /// Covers the screen with a window, and gives it back its old place.
 ///
-/// A window manager that can do so is asked. Otherwise the window covers the monitor that it is on.
-/// The state that the manager tells counts, whoever asked for it. A manager that starts takes over,
-/// and one that ends leaves the window as it is. While the window covers the screen, a pointer that
-/// rests is hidden.
+/// It asks a window manager, if one can do so. Otherwise the window covers the monitor that it is
+/// on. The state that the manager reports counts, whoever asked for it. A new manager takes over,
+/// and one that ends leaves the window as it is. While the window covers the screen, a resting
+/// pointer is hidden.
 /// Lives:   borrows window and state.
 class x11_fullscreen {
 public:
@@ -39,7 +39,7 @@ public:
     /// Follows the window's state, which may have changed.
     void follow();
 
-    /// Hides the pointer if it has not moved for two seconds. To be called now and then.
+    /// Hides the pointer if it has not moved for two seconds. Call it now and then.
     void rest(clock::time_point now);
 
     /// The time at which rest() has something to do; never, if the pointer need not be hidden.

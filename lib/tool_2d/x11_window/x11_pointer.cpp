@@ -61,7 +61,7 @@ void x11_pointer::look_after() {
     echo_.ask();
 }
 
-/// Takes an echo. The server's answer about the grab came before it.
+/// Takes an echo, which comes after the server's answer about the grab.
 bool x11_pointer::take(const XEvent& event) {
     if (!echo_.take(event))
         return false;
@@ -82,8 +82,8 @@ void x11_pointer::put_back() {
     XWarpPointer(window_.display(), None, window_.id(), 0, 0, 0, 0, middle().x, middle().y);
 }
 
-/// Whether a place was reported after the pointer was put to the middle. An earlier motion may
-/// carry the number of that request, so the distance decides.
+/// Whether the pointer was already put to the middle when it was at this place. An earlier motion
+/// may carry the number of the request for that, so the distance decides.
 bool x11_pointer::has_leapt_to(const place& now) const {
     const auto distance = [&now](const place& from) {
         return std::max(std::abs(now.x - from.x), std::abs(now.y - from.y));

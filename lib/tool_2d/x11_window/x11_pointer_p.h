@@ -21,9 +21,9 @@ struct x11_way {
 
 /// Holds the pointer for a program that wants it, as long as the window has the keyboard.
 ///
-/// A held pointer is put back to the window's middle whenever it comes far from it, so that its way
-/// has no end. X tells only places. The program gets their differences, without the leaps back.
-/// This works on servers over a network or nested in others, too.
+/// A held pointer is put back to the window's middle whenever it comes far from it, so that it can
+/// move without end. X tells only places. The program gets their differences, without the leaps
+/// back. This also works on servers over a network or nested in others.
 /// Lives:   borrows the window.
 /// Cost:    nothing waits for an answer; a leap every quarter of a window.
 class x11_pointer {
@@ -46,14 +46,14 @@ public:
     /// Notes the window's size. Units: display pixels.
     void set_size(l3d_size native) { size_ = native; }
 
-    /// Asks the server for the pointer if that is due. To be called now and then.
+    /// Asks the server to hold the pointer if that is due. Call it now and then.
     void look_after();
 
     /// True if the event was the server's answer to a request of look_after().
     bool take(const XEvent& event);
 
-    /// The pointer's way in this event; 0 if it is not held. Nothing if the motion only put the
-    /// pointer back.
+    /// The pointer's motion in this event; 0 if it is not held. Nothing if the event only reports
+    /// that the pointer was put back.
     std::optional<x11_way> way_of(const XMotionEvent& event);
 
 private:

@@ -21,8 +21,8 @@ inline int x11_scale(const l3d_screen_request& request) {
 }
 
 /// The size of the picture, in our pixels. If the request names a scale, it is the requested size.
-/// Otherwise it is the requested size times the display's fineness, within X's limits, so that
-/// people see the window in its usual size.
+/// Otherwise the requested size is multiplied by the display's fineness, within X's limits, so that
+/// the window has its usual size for people.
 /// Cost:    none; Xlib has read the resources when it opened the display.
 /// Source:  GLFW takes Xft.dpi in units of 96, like the toolkits that the user's settings are for.
 l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request);

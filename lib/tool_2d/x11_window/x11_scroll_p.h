@@ -33,7 +33,7 @@ class x11_scroll {
 public:
     explicit x11_scroll(const x11_window& window);
 
-    /// Sends the questions, or goes on with them. To be called now and then once there is a
+    /// Sends the questions, or goes on with them. Call it now and then once there is a
     /// picture.
     void look_after();
 

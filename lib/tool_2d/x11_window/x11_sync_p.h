@@ -11,9 +11,9 @@ namespace l3d_detail {
 
 /// Our side of _NET_WM_SYNC_REQUEST.
 ///
-/// The manager names a number, gives the window a size, and waits until a counter in the server
-/// has the number. We set it right after the first picture of that size: the server serves the two
-/// in this order.
+/// The manager names a number, gives the window a size, and waits until a counter in the server has
+/// the number. We set the counter right after the first picture of that size, since the server does
+/// both in this order.
 /// Lives:   borrows the window; the server frees the counter at the end of the connection.
 class x11_sync {
 public:

@@ -20,8 +20,8 @@ namespace l3d_detail {
 struct x11_facts {
     bool managed = false;           ///< a window manager looks after windows
     bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
-    bool fullscreen = false; ///< whether the manager says so. Without one that tells, it is false.
-    bool away = false;       ///< our window is minimised, on another workspace, or not viewable
+    bool fullscreen = false;        ///< whether the manager says so; false if it tells nothing
+    bool away = false; ///< our window is minimised, on another workspace, or not viewable
     std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
     double fineness = 1; ///< as x11_fineness gives it, by a manager of settings or the resources
 };
@@ -63,8 +63,8 @@ public:
     /// Asks for everything, and from then on hears of changes by itself.
     void ask();
 
-    /// Calls ask() if that was never done, or if the connection had no room. So a server that is
-    /// slow, or stopped, does not stop the program. To be called now and then.
+    /// Calls ask() if that was never done, or if the connection had no room. So a slow or stopped
+    /// server does not stop the program. Call it now and then.
     void look_after() {
         if (stage_ == stage::unwatched || is_due_)
             ask();
