@@ -87,7 +87,7 @@ public:
     /// The effect of an event.
     enum class effect {
         none,    ///< the event means nothing to handles
-        seen,    ///< the picture of handles is old, the surfaces are the same
+        seen,    ///< only the picture of handles is old; the surfaces are the same
         changed, ///< the surfaces have changed
     };
     /// Handles an event of the pointer: drags a handle or changes its weight, and marks the one
@@ -127,7 +127,7 @@ private:
     std::optional<std::size_t> marked_;
     std::optional<grab> grab_; ///< the hold on the marked handle
     std::vector<state> undo_;
-    /// The change in progress. More of the same change adds no further state to undo.
+    /// The change that is going on. Further steps of the same change add no state to undo.
     std::optional<std::pair<std::size_t, change>> going_on_;
 };
 

@@ -33,8 +33,8 @@ struct L3D_PUBLIC l3d_pointed_place {
     double normal_error = 0; ///< the length of the normal's difference from the exact one
 };
 
-/// The questions that the controls ask a viewer about its picture. An empty function leaves out the
-/// controls that need it.
+/// Functions that answer the controls' questions about a viewer's picture. An empty function leaves
+/// out the controls that need it.
 struct L3D_PUBLIC l3d_viewed {
     /// Makes the camera that shows everything along the line of sight of the given one.
     std::function<l3d_camera(const l3d_camera&)> framed{};
@@ -118,7 +118,7 @@ private:
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the program's own view, without a home
-    l3d_camera kept_;  ///< view set by home or frame; camera_ differs once it was moved
+    l3d_camera kept_;  ///< the view that home or frame set; camera_ differs once it was moved
     bool is_home_ = false, is_framed_ = false; ///< whether home or frame set kept_
     vector upright_;                           ///< the model's own, whatever the picture shows
     vector up_; ///< the eye's axis of turning: upright_, unless rolled
@@ -130,7 +130,8 @@ private:
 };
 
 /// Measures the time that pictures take, and their rate, over the last second. Both are means over
-/// the same pictures, by one clock, so no picture seems to take longer than the time to the next.
+/// the same pictures, by one clock. So the mean time of a picture never exceeds the time between
+/// two.
 ///
 /// A second without a picture counts as rest, and the rate begins anew with the next two pictures.
 class L3D_PUBLIC l3d_picture_pace {
@@ -288,8 +289,8 @@ public:
     /// The line of say(); "" if there is none.
     const std::string& message() const { return message_; }
 
-    /// Sets the reason why the picture is empty, a text of l3d_why_unseen; "" if it is not empty.
-    /// The reason is shown with `key`, which mends it; 0 if no key does.
+    /// Tells why the picture is empty, by a text of l3d_why_unseen; "" if it is not empty. The
+    /// viewer shows the reason with the key that mends it; `key` is 0 if none does.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())

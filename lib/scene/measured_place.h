@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-/// A place of a surface, its normal and its curvatures, each with the largest distance from the
+/// A place of a surface with its normal and its curvatures. Each has the largest distance from the
 /// exact value, rounding included.
 ///
 /// Units: those of the world; curvatures are 1 / radius.

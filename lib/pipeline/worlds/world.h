@@ -78,9 +78,9 @@ private:
 
 class l3d_world_surfaces;
 
-/// The target of a world's drawing: a picture, and the rasterizers for it.
+/// The picture that a world is drawn into, and the rasterizers for it.
 ///
-/// The picture may be a part of another one: `pixels` then has the part's first word and size, and
+/// The picture may be a part of another one. Then `pixels` has the part's first word and size, and
 /// the stride of the whole. So a second call of draw_all can draw a mirror, or a window onto
 /// another place.
 /// Expects: the rasterizer draws into the same pixels.

@@ -38,8 +38,8 @@ public:
     /// The kind of order.
     struct way {
         bool resolve = true; ///< false for the plain painter's algorithm: sorted, nothing compared
-        /// Whether sides of triangles are drawn. Else triangles that cover no pixel are left out,
-        /// and perhaps those that are behind others in all of their pixels.
+        /// Whether sides of triangles are drawn. If not, triangles that cover no pixel are left
+        /// out. Triangles that are behind others in all of their pixels may be left out, too.
         bool sides = true;
     };
 

@@ -12,7 +12,8 @@
 
 namespace l3d_detail {
 
-/// A triangle in space, with coordinates of its own plane. It may have no area, or be a point.
+/// A triangle in space that finds its distance from places. It keeps its corners in coordinates of
+/// its own plane. It may have no area, or be a point.
 class flat_triangle {
 public:
     using vector = l3d_vector<double, 3>;
@@ -59,8 +60,9 @@ private:
     std::array<double, 3> uv_by_v_{}, uv_by_u_{};
 };
 
-/// A part of a patch that is searched at once. It is a rectangle that trims leave whole, or the
-/// rest of a trimmed patch near its border. The rest has no rectangle of its own.
+/// A part of a patch whose triangles are searched together. It is a rectangle of parameters that
+/// trims leave whole, or the rest of a trimmed patch near its border. The rest has no rectangle of
+/// its own.
 struct patch_sheet {
     const bent_patch* patch;
     std::uint32_t index; ///< the number of the patch

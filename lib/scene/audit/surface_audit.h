@@ -12,7 +12,8 @@
 #include <memory>
 #include <span>
 
-/// Proven bounds of the largest distance, and the place where it occurs.
+/// The largest distance in one direction, from a mesh to a surface or back: proven bounds, and a
+/// place that is at least so far away.
 struct L3D_PUBLIC l3d_audited_way {
     double least = 0; ///< the distance at `place` is at least this
     double most = 0;  ///< the distance is nowhere larger than this
@@ -70,8 +71,8 @@ public:
     /// Source:  branch and bound; NUMERICS derives the bounds.
     l3d_mesh_audit compare(std::span<const triangle> mesh) const;
 
-    /// The number of cuts of triangles that are allowed each way. As many as the triangles and
-    /// cells on both sides are allowed, if those are more.
+    /// The number of cuts of triangles that each direction may always use. If the triangles and
+    /// cells of both sides together are more, it may use as many cuts as they are.
     static constexpr std::size_t least_cuts = std::size_t{1} << 13;
 
 private:
