@@ -30,10 +30,11 @@ enum class l3d_method {
 /// A method and its parameters.
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
-    int resolution = 0; ///< tessellation, fd: quads along a patch (fd: 0 is the tolerance's
-                        ///< choice); voxels: cells along the model; isocurves, kept and
-                        ///< micropolygons: points or quads along a pixel
-    l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< for afd (but 32-bit fixed) and fd
+    /// Quads along a patch, cells along the model, or points or quads along a pixel, as the method
+    /// has it; 0 for fd lets the tolerance choose.
+    int resolution = 0;
+    /// For fd; for afd, too, but for fixed_16_16.
+    l3d_arithmetic arithmetic = l3d_real_arithmetic();
 
     /// The name on the command line: "fd", "tessellation:16".
     std::string name() const;

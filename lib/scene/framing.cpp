@@ -110,8 +110,8 @@ double reach_along(const l3d_patch_scene& scene, const vector& direction) {
 }
 
 /// A model between two planes that meet in the eye: left and right, or below and above. `slope` is
-/// the tangent of each plane's angle to the line of sight. For an eye at place `at` and `depth`,
-/// the planes hold the model if at - slope depth >= most and at + slope depth <= least.
+/// the tangent of each plane's angle to the line of sight. The planes of an eye at place `at` and
+/// `depth` hold the model if at - slope depth >= most and at + slope depth <= least.
 struct wedge {
     double slope, most, least;
 
@@ -121,8 +121,7 @@ struct wedge {
 
     /// The largest depth of an eye whose planes hold the model.
     double deepest() const { return (least - most) / (2 * slope); }
-    /// The sideways place of the deepest eye. The places of farther eyes have it in their middle,
-    /// too.
+    /// The sideways place of the deepest eye. Eyes farther away may move to both sides of it alike.
     double place() const { return (most + least) / 2; }
     bool holds(double at, double depth) const {
         return at - slope * depth >= most && at + slope * depth <= least;

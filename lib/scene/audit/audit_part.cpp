@@ -30,8 +30,8 @@ vector any_across(const vector& unit) {
     return l3d_normalized(axis - unit * l3d_dot(axis, unit));
 }
 
-/// A bound of a polynomial with these Bezier coefficients between two parameters: the largest of
-/// its coefficients there, which are blossoms.
+/// A bound of a polynomial between two parameters. The polynomial has these Bezier coefficients.
+/// The bound is the largest of the coefficients on that interval, which are blossoms.
 template <std::size_t count>
 double most_between(const std::array<double, count>& of, double from, double to) {
     double result = 0;
@@ -136,8 +136,8 @@ bent_patch::bent_patch(const patch& p) : of(p) {
         }
 }
 
-/// Bernstein polynomials of v, whose sum is 1, mix the rows. So they mix the bounds of the rows'
-/// lengths, too.
+/// Mixes the bounds of the rows' lengths: Bernstein polynomials of v, whose sum is 1, mix the rows
+/// themselves.
 std::array<double, 3> bent_patch::bounds(const patch_place& least, const patch_place& most) const {
     return {most_between(uu_, least[1], most[1]),
             std::min(most_between(uv_by_v_, least[1], most[1]),
@@ -145,9 +145,9 @@ std::array<double, 3> bent_patch::bounds(const patch_place& least, const patch_p
             most_between(vv_, least[0], most[0])};
 }
 
-/// Let e be the side from one corner to another in (u, v), l the weights of the corners. The flat
-/// triangle is off by at most half the sum of l_i l_j times |second derivative along e|, over all
-/// three sides. NUMERICS, "The distance between a mesh and a surface", derives it.
+/// Let e be a side of the triangle as a step in (u, v), and let l be the weights of the corners.
+/// The flat triangle is off by at most half the sum of l_i l_j times |second derivative along e|,
+/// over all three sides. NUMERICS, "The distance between a mesh and a surface", derives it.
 std::array<double, 3> audit_part::weights() const {
     std::array<double, 2> widths{};
     std::array<place, 3> sides{};

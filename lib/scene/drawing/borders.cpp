@@ -154,7 +154,7 @@ private:
     void add_contours(const side& a, const side& b, bool turns);
     bool is_smooth(const side& a, const side& b, bool turns) const;
     void add_trims(std::size_t piece);
-    /// Adds a stretch of a side.
+    /// Adds a stretch of a side as a line.
     void add(const side& of, double from, double to, l3d_line_kind kind,
              const std::vector<std::size_t>& sides);
 
@@ -165,8 +165,8 @@ private:
     std::vector<drawn_chain> chains_;
 };
 
-/// Two sides are the same if five of their places are, to a thousandth of a pixel or so. A side
-/// that meets no other may meet two of half the size.
+/// Pairs sides that are the same: five of their places agree to about a thousandth of a pixel. A
+/// side that meets no other may meet two of half the size.
 void border_search::pair_sides() {
     std::vector<placed_side> all;
     vector least(std::numeric_limits<double>::max()), most(-least[0]);
@@ -273,8 +273,8 @@ void border_search::add_side(const met_sides& met) {
         add(sides[0], 0, 1, l3d_line_kind::crease, pieces);
 }
 
-/// Between neighbouring ends of the pieces' contours, the side is a contour if just one of both
-/// pieces shows its front.
+/// Adds the stretches of a common side that are a contour. Between neighbouring ends of the pieces'
+/// contours, it is one if just one of both pieces shows its front.
 void border_search::add_contours(const side& a, const side& b, bool turns) {
     std::vector<double> ends{0, 1};
     for (const side* const one : {&a, &b})

@@ -11,10 +11,11 @@ namespace l3d_detail {
 
 namespace {
 
-/// Each halving adds less than a rounding, 2^-53, for each degree: 44 x 48 of these at most.
+/// Bound of the rounding that all halvings add. Each adds less than 2^-53 for each degree: 44 x 48
+/// of these at most.
 constexpr double relative_rounding = 0x1p-41;
 
-/// The halvings that divide a piece by 2^24 both ways.
+/// Enough halvings to divide a piece by 2^24 both ways.
 constexpr int most_halvings = 48;
 
 /// A part of a piece.
@@ -158,8 +159,8 @@ private:
     std::vector<arc> arcs_;
 };
 
-/// Signs on which all cells with a common corner agree: those that rounding may change come from
-/// the whole piece.
+/// The signs of the contour's polynomial at the corners. All cells with a common corner agree on
+/// its sign: if rounding may change it, the value comes from the whole piece.
 std::array<bool, 4> contour_search::signs_of(const cell& of) const {
     const bernstein_net& f = of.contour;
     const std::array<double, 4> values{*f.at(0, 0), *f.at(0, f.m), *f.at(f.n, f.m), *f.at(f.n, 0)};
@@ -272,7 +273,7 @@ arc_end contour_search::crossing(const cell& of, std::size_t edge) const {
     return end;
 }
 
-/// Adds the arcs that the signs of the corners imply, for a cell that is small in the picture.
+/// Adds the arcs that the signs at the corners imply, for a cell that is small in the picture.
 void contour_search::add_by_signs(const cell& of) {
     const std::array<bool, 4> signs = signs_of(of);
     std::vector<arc_end> ends;

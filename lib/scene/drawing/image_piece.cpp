@@ -109,9 +109,9 @@ void divide_by_vanishing(bernstein_net& f) {
         }
 }
 
-/// det(p, dp/du, dp/dv) of the homogeneous places of the picture. It is the third power of w times
-/// the determinant by which the map to the picture scales areas. So it is zero where that map
-/// folds.
+/// The polynomial whose zeros are the contours: det(p, dp/du, dp/dv) of the homogeneous places of
+/// the picture. It is the third power of w times the determinant by which the map to the picture
+/// scales areas. So it is zero where that map folds.
 bernstein_net contour_of(const bernstein_net& p) {
     const bernstein_net by_u = p.derivative(true), by_v = p.derivative(false);
     bernstein_net result(3 * p.m - 1, 3 * p.n - 1, 1);
@@ -251,9 +251,10 @@ image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>
     contour = contour_of(net);
 }
 
-/// Bounds how far a change of u, and of v, moves a place in the picture. With P = (x, y) / w in the
-/// net's box, P' is ((x, y)' - P w') / w. Weights far below the largest lie beyond the near plane
-/// and are not counted. They would ask for millions of chords for parts that are hardly seen.
+/// Bounds how far a change of u, and of v, moves a place in the picture, so that polygons may stand
+/// for trims. With P = (x, y) / w in the net's box, P' is ((x, y)' - P w') / w. Weights far below
+/// the largest lie beyond the near plane and are not counted. They would ask for millions of chords
+/// for parts that are hardly seen.
 double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
                          const drawing_view& view) {
     double most = 0, least = net.c[2];
@@ -326,7 +327,7 @@ l3d_vector<double, 3> image_piece::normal(double u, double v) const {
     return length > least_sine * l3d_length(su) * l3d_length(sv) ? n * (1 / length) : vector(0.0);
 }
 
-/// Rows hold a few sides each, as polygons cross few rows.
+/// Sorts the sides into rows. A row holds a few sides, and a polygon crosses few rows.
 region_rows::region_rows(const l3d_trim_region& region) {
     std::size_t sides = 0;
     for (const l3d_trim_polygon& polygon : region.polygons)

@@ -10,11 +10,11 @@
 
 namespace {
 
-/// A part is inflated by this share at each side before anything is proven about it. So a point on
+/// The share by which a part grows at each side before anything is proven about it. So a point on
 /// the border of two parts, or of two patches, lies inside both.
 constexpr double margin = 0.125;
-/// The operator's contraction must be at most this where a hit is proven. Then the image of a part
-/// that holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
+/// The largest contraction with which Newton's operator proves a hit. Then the image of a part that
+/// holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
 constexpr double most_contraction = 0.08;
 /// Parts within this many errors of the ray are not split: neither half could be told to hold the
 /// hit.
@@ -67,7 +67,7 @@ l3d_ray_net inflated(const l3d_ray_net& net) {
     return result;
 }
 
-/// Bounds of the derivative of a coordinate along u or v, for parameters that go from 0 to 1.
+/// Bounds of the derivative of a coordinate along u or v, over all of the net.
 range slope(const l3d_ray_net& net, int coordinate, bool along_v) {
     range result{};
     for (int i = 0; i < 4; ++i)
@@ -201,7 +201,8 @@ void l3d_ray_search::split(const part& one) {
             push(std::move(half));
 }
 
-/// Settles a part if possible: true if it has no hit, or if its one hit is now in the heap.
+/// Settles a part if possible. Returns true if it certainly has no hit, or if its one hit is now in
+/// the heap.
 bool l3d_ray_search::settle(const part& one) {
     const root& whole = roots_[one.root];
     const l3d_ray_net larger = inflated(one.net);
