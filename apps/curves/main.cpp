@@ -45,7 +45,7 @@ template <class T> std::vector<double> walked(const numbers& b, int n) {
     return result;
 }
 
-/// A walk, adaptive or in equal steps: how long its steps are, and how far off they end.
+/// A walk, adaptive or in equal steps, and its measurements.
 struct walk_seen {
     l3d_step_counts counts;
     std::vector<l3d_point_2d> places; ///< both ends of all steps
@@ -150,13 +150,15 @@ public:
 
 private:
     using fixed_16 = l3d_fixed<std::int32_t, 16>; ///< 32 bits, half of them after the point
-    /// Whole numbers: a grid of 2^-6 pixel, and 3 bits for each of 12 halvings.
+    /// The whole numbers in which Klassen's way walks: a grid of 2^-6 pixel, and 3 bits for each of
+    /// 12 halvings.
     using whole_42 = l3d_fixed<std::int64_t, 42>;
 
     static constexpr std::size_t none = 4;
     static constexpr int steps_at_first = 24, most_steps = 512;
-    /// Shares of width and height, so that handles stay in a window of another size. They leave
-    /// room for the numbers and the caption above, and for magnifier and bars below.
+    /// The places of the control points at first, as shares of width and height, so that handles
+    /// stay in a window of another size. They leave room for the numbers and the caption above, and
+    /// for magnifier and bars below.
     static constexpr std::array<l3d_point_2d, 4> places_at_first{
         {{0.06, 0.38}, {0.3, 0.82}, {0.6, 0.34}, {0.94, 0.45}}};
     static constexpr std::uint32_t exact_color = 0x0060c0ff, fixed_color = 0x00ff5040,
@@ -436,7 +438,8 @@ private:
         return doublings;
     }
 
-    /// The largest error of the whole numbers, which comes from rounding the control points alone.
+    /// The largest error of the walk in whole numbers. It comes from rounding the control points
+    /// alone.
     static double whole_error(const numbers& x, const numbers& y, int doublings) {
         constexpr double lattice = 256; // parts of a pixel
         const auto offs = [&](const numbers& b) {

@@ -16,7 +16,7 @@ namespace {
 
 using point = l3d_point<l3d_real>;
 
-/// The dots: where they start, and how they move. Units: per update of the book.
+/// A kind of dots: where they start, and how they move. Units: per update of the book.
 class dot_kind {
 public:
     dot_kind() = default;
@@ -101,7 +101,7 @@ private:
         eye_ += point::of(-right * unit, down * unit, 0).from_origin;
     }
 
-    /// The eye looks along z. It sees 61.6 degrees, the book's 1 / tan 50.
+    /// Draws the dots. The eye looks along z. It sees 61.6 degrees, the book's 1 / tan 50.
     void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         l3d_camera_left_handed<l3d_real> camera(size());
         camera.fovx *= 2;

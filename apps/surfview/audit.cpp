@@ -70,8 +70,9 @@ void cut_small(const l3d_surface_audit::triangle& t, double longest, const Visit
     cut_small({half, b, c}, longest, visit);
 }
 
-/// The longest side of the parts into which a picture cuts triangles: some pixels, but long enough
-/// that a processor measures all parts in seconds. CAD meshes have crowds of long thin triangles.
+/// The longest side of the parts into which a picture cuts triangles. It is some pixels, but so
+/// long that a processor measures all parts in seconds. CAD meshes have crowds of long thin
+/// triangles.
 double longest_part(const triangles& mesh, double size) {
     constexpr double pixels = 1.0 / 128;
     const double most_parts = 0x1p17 + static_cast<double>(mesh.size());

@@ -155,7 +155,8 @@ private:
         }
     }
 
-    /// Compares a mesh with the model. The picture is the step that is left, if one is wanted.
+    /// Compares a mesh with the model. Returns the step that shows the picture; nothing if none is
+    /// wanted.
     std::function<l3d_exit()> audited() {
         l3d_refuse({{"--audit", normal_.has_value(), "it compares whole models"},
                     {"--audit", parts_.lists(), "--list-parts prints, too"}});
@@ -215,7 +216,8 @@ private:
         return result;
     }
 
-    /// The view with its parts and section as options, also on stderr, to be copied from there.
+    /// The options that make the present view again, with its parts and section. They are printed
+    /// on stderr, too, to be copied from there.
     template <class Pipeline> static std::string told_view(Pipeline& pipeline) {
         std::string text = l3d_afd_options::view_options(pipeline.camera());
         if constexpr (requires { pipeline.settings().rotation; })

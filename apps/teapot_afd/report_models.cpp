@@ -53,7 +53,7 @@ l3d_patch_model::patch patch_of(const surface& s, const part& of) {
     return result;
 }
 
-/// The patches of a surface whose parameters, from 0 to 1, are cut into along_u by along_v parts.
+/// Patches of a surface over parameters from 0 to 1, cut into along_u by along_v parts.
 std::vector<l3d_patch_model::patch> patches_of(const surface& s, int along_u, int along_v) {
     std::vector<l3d_patch_model::patch> result;
     for (int j = 0; j < along_v; ++j)

@@ -59,7 +59,8 @@ double to_number(std::uint64_t value) {
 
 } // namespace
 
-/// 16.16 gets coordinates below 2^14: the first differences that a walk uses are then below 2^15.
+/// Chooses the scale of each coordinate. 16.16 gets coordinates below 2^14, so that the first
+/// differences of a walk are below 2^15.
 l3d_fd_dicer::scales l3d_fd_dicer::scales_of(const l3d_image_patch& net, int steps) const {
     const std::array<std::array<double, 4>, 3> size{sizes_of(net, 0), sizes_of(net, 1),
                                                     sizes_of(net, 2)};

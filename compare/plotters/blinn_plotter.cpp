@@ -13,7 +13,8 @@ namespace {
 /// The number of samples of a border. A silhouette that runs into it is found between two of them.
 constexpr int border_samples = 16;
 
-/// Distance outside of a patch at which a silhouette still bounds its inside: a rounding.
+/// The distance outside of a patch at which a silhouette still bounds its inside. It allows for
+/// rounding.
 constexpr double rim = 1e-6;
 
 bool is_inside(const l3d_scan_root& at) {

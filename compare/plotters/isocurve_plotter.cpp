@@ -21,9 +21,9 @@ constexpr double least_length = 8;
 /// points.
 constexpr int deepest = 40, most_halvings = 20;
 
-/// Bound of a piece's extent along u, in the larger of both image coordinates. Let (X, Y) be the
-/// middle of its box and r half its larger side. Then dX/du = (x_u - X w_u) / w, and x_u is three
-/// times a mean of the net's differences.
+/// Bound of a piece's extent along u in the picture, the larger of its width and height. Let (X, Y)
+/// be the middle of its box and r half its larger side. Then dX/du = (x_u - X w_u) / w, and x_u is
+/// three times a mean of the net's differences.
 double width_bound(const l3d_image_patch& net, const l3d_image_box& hull) {
     const double x = (hull.left + hull.right) / 2, y = (hull.top + hull.bottom) / 2;
     const double r = std::max(hull.width(), hull.height()) / 2;
@@ -89,7 +89,7 @@ void l3d_isocurve_plotter<T>::fill(const stripe& between, const l3d_plot_task& o
     fill(high, of);
 }
 
-/// Time is counted in units of 2^-most_halvings of the curve.
+/// Walks a curve. The parameter is counted in units of 2^-most_halvings of the curve.
 template <class T>
 void l3d_isocurve_plotter<T>::draw_curve(const l3d_image_curve& curve, double u, double v0,
                                          double v1, const l3d_plot_task& of) {

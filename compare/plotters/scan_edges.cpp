@@ -40,7 +40,7 @@ void add(const l3d_image_curve& curve, l3d_scan_root from, l3d_scan_root to, int
     add(high, middle, to, depth + 1, edges);
 }
 
-/// y(t) - Y w(t), as a polynomial.
+/// The function y(t) - Y w(t) as a polynomial. It is 0 where the curve crosses the scan line Y.
 struct height {
     height(const l3d_scan_edge& edge, double y) {
         const auto& p = edge.curve.points;
@@ -108,7 +108,8 @@ std::optional<double> l3d_newton_crossing(const l3d_scan_edge& edge, double y, d
     return std::nullopt;
 }
 
-/// Blossoms: control point k has the parameters `from` 3 - k times and `to` k times.
+/// Finds the control points of a part by blossoms: point k has the parameters `from` 3 - k times
+/// and `to` k times.
 l3d_image_curve l3d_curve_part(const l3d_image_curve& curve, double from, double to) {
     l3d_image_curve result;
     for (std::size_t k = 0; k < 4; ++k) {

@@ -16,10 +16,12 @@ cubic powers_of(const l3d_image_point& a, const l3d_image_point& b, const l3d_im
     return {a, d1 * 3.0, d2 * 3.0, ((d - c) - (c - b)) - d2};
 }
 
-/// Distance outside of the piece at which a root counts: by rounding, its neighbour may miss it.
+/// The distance outside of the piece within which a root still counts. Its neighbour may miss the
+/// root by rounding.
 constexpr double rim = 1e-9;
 
-/// A difference of the net as seen from the box's middle, and by how much other places change it.
+/// A difference of the net as seen from the box's middle, and the most by which it differs as seen
+/// from other places of the box.
 struct direction {
     double x, y, blur;
 };

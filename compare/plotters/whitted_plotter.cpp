@@ -31,7 +31,8 @@ void l3d_whitted_plotter::plot(const l3d_image_patch& net, const l3d_plot_task& 
     divide({net}, of);
 }
 
-/// Whether w bends little within the piece, measured in pixels at its depth.
+/// Whether a piece's depth is nearly a plane's: w bends little within it, measured in pixels at its
+/// depth.
 bool l3d_whitted_plotter::is_nearly_flat(const piece& p, const l3d_plot_task& of) const {
     const double least = l3d_depth_range_of(p.net.points).least;
     return l3d_depth_bounds_of(p.net).triangle_error(1, 1) * of.view.focal <=

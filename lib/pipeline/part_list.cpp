@@ -18,7 +18,7 @@ using l3d_detail::printable;
 constexpr std::array<l3d_color, 8> palette{0x00e69f00, 0x0056b4e9, 0x00009e73, 0x00f0e442,
                                            0x000072b2, 0x00d55e00, 0x00cc79a7, 0x00999999};
 
-/// A name cut to a width: its first letters, and three dots.
+/// A name cut to a width: its first letters, followed by three dots.
 std::string shortened(const std::string& name, int width, const l3d_panel_style& style) {
     const std::string whole = printable(name);
     if (style.font.width(whole, style.size) <= width)
@@ -61,7 +61,8 @@ void l3d_part_list::set_names(std::span<const std::string> names) {
     choose(was_chosen);
 }
 
-/// A group has the parts that follow each other and have its path in common.
+/// Makes the lines of the tree. A group holds parts that follow each other and whose names begin
+/// with its path.
 void l3d_part_list::make_lines() {
     tree_.clear();
     line_of_.clear();

@@ -25,15 +25,16 @@
 
 namespace {
 
-/// With the map of doubt, normals of curved models may have an eighth of the usual error: two
-/// levels more. The map tells folds only as exactly as normals are known, and otherwise doubts
+/// How much finer normals of curved models are with the map of doubt: an eighth of the usual error,
+/// two levels more. The map tells folds only as exactly as normals are known, and otherwise doubts
 /// whole tiles. One level does for spheres and tori, two for a hull with cusps (docs/NUMERICS.md,
 /// section 25).
 constexpr double finer_for_map = 8;
 
-/// The part of the tolerance that curved models may take where there are trims: their polygons have
-/// corners by the root of it. Dicing gets what errors leave (docs/NUMERICS.md, section 27). The map
-/// of doubt says little beside borders that are off so far, so it keeps the usual part.
+/// The part of the tolerance that curved models may take where there are trims. Polygons that stand
+/// for trims have corners by the root of it. Dicing gets the part that errors leave
+/// (docs/NUMERICS.md, section 27). With the map of doubt, curved models keep the usual part, since
+/// the map says little beside borders that are off so far.
 constexpr double trimmed_share = 0.25;
 
 using l3d_detail::stopwatch;
@@ -47,7 +48,7 @@ void check_method(const l3d_method_factory& method, const l3d_patch_scene& scene
                         "trimmed surfaces: " + method.name() + " draws whole ones alone");
 }
 
-/// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
+/// Creates the rasterizer of lines and text for a screen. First it makes sure that a picture can be
 /// drawn.
 std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
                                                  l3d_screen& screen, const l3d_camera& camera,
@@ -229,9 +230,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .error_map = settings_.error_map};
 }
 
-/// The parts of the picture to draw: none if it is right as it is. The whole picture is drawn for
-/// two reasons. Earlier drawing on top, whose place is unknown, may have to go. Or the parts have
-/// three quarters of the pixels, and so cost nearly as much (docs/SPEED.md).
+/// The parts of the picture to draw; none if the picture is right as it is. There are two reasons
+/// to draw the whole picture. Earlier drawing on top, whose place is unknown, may have to go. Or
+/// the parts have three quarters of the pixels, and so cost nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)
@@ -364,8 +365,8 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
 }
 
 /// Adds the bounds of the kept pixels to the report. A whole frame might have diced further patches
-/// beside the parts, or patches that earlier batches do not hide. All that is known of these
-/// patches is that their steps would keep the tolerance.
+/// beside the parts, or patches that earlier batches do not hide. Only one thing is known of these:
+/// their steps would keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
     if (report_.pixels_kept > 0) {
@@ -429,7 +430,8 @@ void l3d_pipeline_afd::draw_on_top(const l3d_shading& shading) {
         changed_ = l3d_whole(stages_->view.size);
 }
 
-/// Lines hide nothing and have no depth, so a depth that is asked for is cleared.
+/// Draws the wireframe. Its lines hide nothing and have no depth, so a depth that is asked for is
+/// cleared.
 void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;

@@ -119,8 +119,9 @@ bool l3d_dispatcher_window::loop::rests() const {
     return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
 }
 
-/// Sleeps until the next picture is due, or until an event. Time in which nobody sees a picture
-/// does not count, and only the pipeline is told of a rest's length.
+/// Sleeps until the next picture is due, or until an event. update_event does not get the time of a
+/// long sleep. While nobody sees a picture it does not count, and rest() tells the pipeline how
+/// long a rest was.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());

@@ -91,7 +91,7 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha) : a
 }
 
 /// Reads the file name, which may have one number field. A percent sign stands for itself unless it
-/// begins a number field, so most names need no double one.
+/// begins a number field, so most names need no double percent sign.
 void l3d_frame_writer::read_pattern(std::string_view name) {
     for (std::size_t at = 0; at < name.size();) {
         const std::string_view rest = name.substr(at), field = field_at_front(rest);

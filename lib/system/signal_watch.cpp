@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Signals by keys, by a request to end, and by a terminal that is closed.
+/// The signals of keys, of a request to end, and of a terminal that is closed.
 constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
 /// The last signal, or 0, and the writing end of a pipe that wakes a sleeper. A handler may only
@@ -31,7 +31,7 @@ extern "C" void note_signal(int signal) {
     errno = error;
 }
 
-/// Blocks all signals in threads that begin while it lives. Signals go to the thread that waits for
+/// While it lives, threads that begin get no signals. So signals go to the thread that waits for
 /// events.
 class signals_held {
 public:
@@ -50,8 +50,8 @@ private:
 
 } // namespace
 
-/// Waits for a signal, and then some seconds for the watch's end. If that does not come, ends the
-/// process by the signal.
+/// Waits for a signal, and then some seconds for the end of the watch. If the watch does not end,
+/// ends the process by the signal.
 void l3d_signal_watch::end_what_takes_too_long() const {
     constexpr int patience = 5000; // milliseconds: a large picture is written in two seconds
     std::array<pollfd, 2> news{pollfd{waker_, POLLIN, 0}, pollfd{over_, POLLIN, 0}};

@@ -73,7 +73,8 @@ private:
 
 } // namespace
 
-/// Lines have no depth: as for a wireframe, it is cleared.
+/// Draws lines in place of surfaces. They have no depth, so the depth is cleared, as for a
+/// wireframe.
 void l3d_pipeline_afd::draw_drawing(const l3d_shading& shading) {
     untouched_ = false;
     if (wants_depth()) {

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t mark_color = 0x00ffd873;
 
-/// Lines between points of the image; equal ones of several patches are kept once. A line that
+/// Lines between points of the image. A line that several patches have is kept once. A line that
 /// reaches behind the near plane is left out.
 class image_lines {
 public:

@@ -23,10 +23,10 @@ constexpr std::uint32_t rim_color = 0x00101418, handle_color = 0x00f4f4f4,
 constexpr double pale = 0.35;  // the part of its colour that a hidden line keeps
 constexpr double radius = 3.5; // the size of a handle, in pixels
 constexpr double grasp = 10;   // most pixels from the pointer to a handle's middle
-/// A notch of the wheel changes a weight by this factor.
+/// The factor by which a notch of the wheel changes a weight.
 constexpr double notch_weight = 1.1;
-/// Lines are hidden only if they are farther than the surface by this factor. Else rounding would
-/// hide the lines of a net that lie on it.
+/// A line is hidden only if it is farther than the surface by this factor. Otherwise rounding would
+/// hide the lines of a net that lie on the surface.
 constexpr double just_behind = 1.004;
 
 /// A place in the picture, from its left upper corner, and its distance along the view axis.

@@ -26,8 +26,8 @@ l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
     return result;
 }
 
-/// Whether a placement keeps lengths and angles. Products of rotations in floats are some 2^-23 off
-/// in each factor; shades show no error below 2^-16.
+/// Whether a placement keeps lengths and angles. Products of rotations in floats are off by some
+/// 2^-23 in each factor. Errors below 2^-16 do not show in shades.
 bool is_rigid(const l3d_matrix<double>& placement) {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k <= i; ++k) {
