@@ -22,9 +22,9 @@ namespace {
 
 using namespace l3d_detail;
 
-// Depth is near / w: all bits of reciprocal depth are good, nearer is more, and everything before
-// the near plane is clipped. 1.2e-38 is a little more than the least float with all its bits: a
-// zero normal then has cosine 0.
+// Depth is near / w. So all bits of reciprocal depth are good, nearer is more, and everything in
+// front of the near plane is clipped. 1.2e-38 is a little more than the smallest float with all its
+// bits. With it, the cosine of a zero normal is 0.
 const mesa_target::program_text smooth_surfaces{.vertex = R"(#version 120
         attribute vec3 position;
         attribute vec3 normal;

@@ -71,7 +71,8 @@ double at_parameter(const numbers& b, double t) {
 template <class T> walk_seen adaptive(const numbers& x, const numbers& y) {
     constexpr int first = 4, finest = 12;
     const auto build = [](const numbers& b) {
-        numbers on_grid = b; // values that 16.16 and whole numbers hold
+        // The control points, rounded to values that 16.16 and whole numbers hold.
+        numbers on_grid = b;
         for (double& value : on_grid)
             value = std::round(64 * value) / 64;
         return l3d_forward_difference<T, 3>::build(on_grid, 1 << first);
@@ -225,7 +226,7 @@ private:
         }
         r.draw_path(l3d_stroked(fixed, {.width = u, .join = l3d_join::round}),
                     {.color = fixed_color});
-        // Copied before the marks, which would hide the red line.
+        // The pixels are copied before the marks are drawn, which would hide the red line.
         l3d_image seen = magnified_ ? around(r, {fixed_x[worst], fixed_y[worst]}) : l3d_image();
         r.draw_path(steps, {.color = step_color});
         for (const l3d_point_2d& handle : p)

@@ -41,7 +41,8 @@ class runway final : public dot_kind {
     }
     void move(point& dot, l3d_random&) const override {
         dot += point::of(-5, 0, 0).from_origin;
-        if (l3d_to_double(dot[0]) <= -200) // ten columns of 40 further right, where there is room
+        // Begins again ten columns of 40 further right, where there is room.
+        if (l3d_to_double(dot[0]) <= -200)
             dot += point::of(400, 0, 0).from_origin;
     }
 };

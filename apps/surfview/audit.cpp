@@ -113,8 +113,8 @@ mesh_audit::mesh_audit(std::string surface_file, const l3d_patch_model& surface,
     for (std::size_t i = 0; part_.empty() && i < surface.patches().size(); ++i)
         if (surface.piece_of(i) == found_.from_surface.index)
             part_ = surface.parts().name_of(i);
-    // The worst triangle is seen from its outside, and a missing part from the side away from the
-    // mesh's middle.
+    // The view of the worst place: a triangle is seen from its outside, and a missing part from the
+    // side away from the mesh's middle.
     const vector usual(1.0, 0.8, 1.4);
     vector out = worst().place - mesh_.centre();
     if (&worst() == &found_.from_mesh) {
@@ -201,7 +201,7 @@ l3d_polygon_model mesh_audit::picture() const {
                 result, t,
                 color_of(std::max({middle, distance(t[0]), distance(t[1]), distance(t[2])})));
         });
-    // An octahedron that peeps out on both sides.
+    // The mark is an octahedron, which peeps out on both sides.
     constexpr l3d_color magenta = 0x00ff00ff;
     const double radius = size / 100;
     const vector& at = worst().place;

@@ -138,7 +138,8 @@ private:
         const auto loose = model.loose_edges();
         for (std::size_t i = 0; i < std::min(most, loose.size()); ++i) {
             const l3d_loose_edge& one = loose[i];
-            std::vector<std::string> faces; // where a file numbers none, its pieces
+            // Names of faces, or of pieces if the file numbers no faces.
+            std::vector<std::string> faces;
             for (const std::size_t piece : one.pieces) {
                 const std::uint32_t face = model.face_of(piece);
                 std::string name = face > 0 ? "face " + std::to_string(face)

@@ -181,7 +181,7 @@ template <class Pipeline, class... More>
 measured_frames measure_polygons(const measured_view& view, int n, double seconds,
                                  int most_distances, const More&... more) {
     l3d_polygon_settings settings{.background = {}, .antialias = false, .threads = 1};
-    settings.cull = false; // patches are drawn from both sides, too
+    settings.cull = false; // shows both sides, as the patches do
     polygon_pipeline<Pipeline> pipeline(l3d_memory_canvas(view.size()),
                                         l3d_polygon_model(l3d_tessellated(view.model(), n).mesh),
                                         view.camera(), settings, more...);

@@ -39,7 +39,7 @@ l3d_cloud::seen l3d_cloud::look(const place& origin, const place& direction, dou
          walk.t() < end && result.let_through > nothing; walk.go_on()) {
         const auto& cell = walk.cell();
         if (std::any_of(cell.begin(), cell.end(), [this](int i) { return i < 0 || i >= side_; }))
-            break; // rounding may do this at the cube's end
+            break; // at the cube's end, rounding may do this
         ++result.cells;
         const std::size_t i = index(cell);
         if (density_[i] == 0)

@@ -75,7 +75,7 @@ void l3d_isocurve_plotter<T>::fill(const stripe& between, const l3d_plot_task& o
         const auto width_of = [](const l3d_image_patch& net) {
             return width_bound(net, l3d_image_box_of(net.points));
         };
-        // Whether a cut is worth while: one half needs no more curves, or fewer.
+        // A cut is worth while if one half needs no more curves, or fewer.
         const double first = width_of(low.net), second = width_of(high.net);
         if (std::min(first, second) < 0.75 * std::max(first, second)) {
             fill(low, of);
@@ -135,7 +135,7 @@ void l3d_isocurve_plotter<T>::put(const l3d_image_point& h, double v, const l3d_
     ++of.counts.samples;
     const l3d_size size = of.canvas.size();
     const double x = h[0] / h[2] + size.width / 2.0, y = h[1] / h[2] + size.height / 2.0;
-    // Written so that NaN is outside.
+    // The condition is written so that NaN counts as outside.
     if (!(x >= 0 && y >= 0 && x < size.width && y < size.height && h[2] > 0))
         return;
     const int column = static_cast<int>(x), row = static_cast<int>(y);

@@ -102,7 +102,7 @@ std::optional<double> l3d_newton_crossing(const l3d_scan_edge& edge, double y, d
         const double slope = of.slope(t);
         if (!(slope != 0))
             return std::nullopt;
-        // Clamped: steps that leave the edge by more than its own length lead nowhere.
+        // Steps that leave the edge by more than its own length lead nowhere, so they are clamped.
         t = std::clamp(t - value / slope, -1.0, 2.0);
     }
     return std::nullopt;

@@ -83,7 +83,7 @@ std::optional<l3d_scan_root> l3d_scan_piece::find(double x, double y, l3d_scan_r
         const double determinant = ux * vy - uy * vx;
         if (!(determinant != 0))
             return std::nullopt;
-        // Clamped: steps that leave the piece by more than its own size lead nowhere.
+        // Steps that leave the piece by more than its own size lead nowhere, so they are clamped.
         u = std::clamp(u - (fx * vy - fy * vx) / determinant, -1.0, 2.0);
         v = std::clamp(v - (ux * fy - uy * fx) / determinant, -1.0, 2.0);
         if (rests && round > 0 && (u < -rim || u > 1 + rim || v < -rim || v > 1 + rim))
@@ -113,7 +113,7 @@ bool l3d_is_one_to_one(const l3d_image_patch& net, const l3d_image_box& hull) {
             mean.y += d.y;
         }
         const double size = length(mean);
-        // Within 45 degrees of the mean: any two are within a right angle.
+        // If all are within 45 degrees of the mean, any two are within a right angle.
         return std::all_of(all.begin(), all.end(), [&](const direction& d) {
             return d.x * mean.x + d.y * mean.y > (0.7072 * length(d) + 1.71 * d.blur) * size;
         });

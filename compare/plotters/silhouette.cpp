@@ -21,7 +21,7 @@ bool improve(double& u, double& v, const std::array<double, 3>& f, const std::ar
     const double d = f[1] * g[2] - f[2] * g[1];
     if (!(d != 0))
         return false;
-    // Clamped: steps that leave the piece by more than its own size lead nowhere.
+    // Steps that leave the piece by more than its own size lead nowhere, so they are clamped.
     u = std::clamp(u - (f[0] * g[2] - f[2] * g[0]) / d, -1.0, 2.0);
     v = std::clamp(v - (f[1] * g[0] - f[0] * g[1]) / d, -1.0, 2.0);
     return true;

@@ -80,7 +80,7 @@ void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powe
     for (int side = 0; side < 4; ++side) {
         const l3d_image_curve curve =
             side < 2 ? p.net.row(side == 0 ? 0 : 3) : p.net.column(side == 2 ? 0 : 3);
-        std::array<double, 4> stops{0}; // there are two turns at most
+        std::array<double, 4> stops{0}; // 0, 1, and two turns at most
         std::size_t count = 1;
         for (const l3d_border_turn& turn : turns)
             if (turn.side == side)

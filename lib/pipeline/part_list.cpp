@@ -66,7 +66,7 @@ void l3d_part_list::set_names(std::span<const std::string> names) {
 void l3d_part_list::make_lines() {
     tree_.clear();
     line_of_.clear();
-    std::vector<std::size_t> open; // groups that the last part is in, by their places in tree_
+    std::vector<std::size_t> open; // the groups that the last part is in, as indices in tree_
     std::vector<std::string> path; // their names
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         std::vector<std::string> words;
@@ -172,7 +172,7 @@ void l3d_part_list::set(const l3d_listed_part& part) {
 l3d_pixel_box l3d_part_list::box(l3d_size picture, const l3d_panel_style& style) const {
     if (!is_shown())
         return {};
-    // A wide picture keeps two thirds for the model; sixteen letters tell most names apart.
+    // In a wide picture, two thirds are left for the model. Sixteen letters tell most names apart.
     const int least = 16 * style.size;
     return {0, 0, std::min(std::max(picture.width / 3, least), picture.width / 2), picture.height};
 }

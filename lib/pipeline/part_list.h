@@ -110,7 +110,7 @@ private:
     std::optional<std::size_t> chosen_;
     bool is_shown_ = false, follows_chosen_ = false;
     std::size_t first_ = 0; ///< the uppermost line
-    // The last picture's:
+    // The box, the line's height and the padding are those of the last picture.
     l3d_pixel_box box_;
     int line_ = 1, padding_ = 0; ///< height of a line; distance from the box to its text
 };

@@ -157,8 +157,8 @@ public:
     ///
     /// It is at most a second's worth, so a program that was stopped does not catch up with hours.
     int due(double seconds) {
-        // A rounding error is no reason to put off a step. 1/60 s, as a double, times 60 is 1, but
-        // a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
+        // A step is not put off because of a rounding error. 1/60 s, as a double, times 60 is 1,
+        // but a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
         // nobody sees it.
         constexpr double slack = 0x1p-20;
         steps_ = std::min(steps_ + std::max(seconds, 0.0) * per_second_, per_second_);

@@ -137,8 +137,8 @@ void l3d_pipeline_afd::draw_event() {
         draw_wireframe(now.shading);
     else
         fill_surfaces(now, parts, times);
-    // If a part was short of budget, the whole frame is drawn. The part may have had a larger share
-    // of the budget than in a whole frame, and the rest a smaller one.
+    // If the budget of a part did not suffice, the whole frame is drawn. The part may have had a
+    // larger share of the budget than in a whole frame, and the rest a smaller one.
     if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
         changed_ = l3d_whole(stages_->view.size);
         fill_surfaces(now, l3d_pixel_boxes(changed_), times);
@@ -189,7 +189,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const bool is_curved = scene_.is_curved();
     stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
     double of_dicing = settings_.tolerance * (is_curved ? 1 - share : 1);
-    if (is_trimmed) // errors are less than their share by up to a factor of 4
+    if (is_trimmed) // errors may be less than their share by a factor of up to 4
         of_dicing = std::max(of_dicing, settings_.tolerance - stages_->curved.places_px);
     stages_->view = stages_->transform.view(of_dicing);
     stages_->view.shade_tolerance =
@@ -210,7 +210,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
-    if (!l3d_has_scale(settings_.shade)) // viewers may change to such a shade while there is fog
+    if (!l3d_has_scale(settings_.shade)) // while there is fog, viewers may change to such a shade
         shading.fog = settings_.fog;
     if (l3d_is_inspection(settings_.shade))
         shading.inspection = inspection();
@@ -329,12 +329,12 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
                                        ? settings_.own.error + shade_bound_of_fog()
                                        : std::numeric_limits<double>::infinity();
     }
-    // The sum may exceed the quads: one may be unproven for two reasons, and counts in each band
-    // that it reaches.
+    // The sum may exceed the number of quads. A quad may be unproven for two reasons, and it counts
+    // in each band that it reaches.
     report_.dice.unproven_quads = std::min(report_.dice.unproven_quads, report_.surface.quads);
     keep_bounds(kept);
-    // Each part counts all patches of the scene, and those it does not touch as unchanged. A patch
-    // that reaches into several parts counts as drawn in each.
+    // Each part counts all patches of the scene. Patches that it does not touch count as unchanged,
+    // and patches that reach into several parts count as drawn in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
     report_.dice.unchanged =
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
@@ -442,7 +442,7 @@ void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     const l3d_patch_scene there = what_is_there();
     stages_->wire_culling.begin(there, stages_->transform.matrix(), stages_->view);
     l3d_dice_view view = stages_->view;
-    view.shading.antialias = settings_.antialias; // so that shared borders are noted
+    view.shading.antialias = settings_.antialias; // makes dicing note shared borders
     stages_->wire_dicer.begin(view);
     l3d_detail::wire_picture picture(rasterizer_, screen_->pixels(), shading, settings_.antialias,
                                      screen_->text_scale());

@@ -73,7 +73,7 @@ l3d_handle_view l3d_pipeline_afd_editor::handle_view() {
 
 void l3d_pipeline_afd_editor::pointer_event(const l3d_event& event) {
     using effect = l3d_control_handles::effect;
-    // Presses with Ctrl or Shift keep their meaning: they measure places, or move the eye.
+    // Presses with Ctrl or Shift keep their usual meaning: measuring places, or moving the eye.
     const bool is_free =
         event.type == l3d_event_type::button_press && (event.control || event.shift);
     const effect what =

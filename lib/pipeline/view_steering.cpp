@@ -87,7 +87,7 @@ void l3d_view_steering::pan(double right, double down) {
 void l3d_view_steering::approach(double factor, const vector& place) {
     l3d_camera there = camera_;
     there.approach(factor, place);
-    // The place must stay beyond the near plane, or it would not be drawn.
+    // The place must stay beyond the near plane, since it would not be drawn in front of it.
     const bool is_seen = factor > 1 || depth_of(place) * factor >= 2 * camera_.near_z;
     if (is_seen && there.is_valid())
         camera_ = there;

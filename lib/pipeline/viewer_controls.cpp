@@ -400,7 +400,7 @@ std::string l3d_picture_pace::text() const {
     const double rate = per_second();
     if (rate == 0)
         return formatted("drawn in %.1f ms", milliseconds());
-    constexpr double few = 10; // tenths of fewer matter
+    constexpr double few = 10; // tenths matter below this rate
     return formatted("%.*f pictures a second, each drawn in %.1f ms", rate < few ? 1 : 0, rate,
                      milliseconds());
 }

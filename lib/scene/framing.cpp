@@ -208,7 +208,7 @@ std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size 
     const depths depth(axes.forward, reach);
     const wedges all(axes, camera, size, l3d_framed_share, reach);
     const double deepest = all.deepest();
-    // Its width or height keeps the eye away from a flat model, unless both are 0.
+    // The width or height of a flat model keeps the eye away from it, unless both are 0.
     const double eye = depth.is_flat() && deepest < depth.nearest
                            ? deepest
                            : std::min(deepest, depth.nearest - depth.least_distance());

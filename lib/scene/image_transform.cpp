@@ -63,13 +63,13 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
             matrix_(row, column) *= depth_scale_;
 
     error_w_ = roundings * terms_ * depth_scale_;
-    // A point's distance from the eye is at most the sum of its terms and the eye's. So all errors
-    // are proportional to that sum.
+    // A point's distance from the eye is at most the sum of the point's terms and of the eye's. So
+    // all errors are proportional to that sum.
     error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
 }
 
-/// Sees the scene from a far eye, whose w is 1 / l3d_parallel_part times as large as half of the
-/// depth. x and y are those of a parallel projection, exactly.
+/// Sees the scene from a far eye. Its distance is 1 / l3d_parallel_part to 2 / l3d_parallel_part
+/// times half of the scene's depth. x and y are those of a parallel projection, exactly.
 void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch_scene& scene) {
     const l3d_camera::frame axes = camera.axes();
     const double scale = camera.scale_at_target(size_);
@@ -96,7 +96,7 @@ void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch
     near_ = w_middle_ / 2 / depth_scale_; // near and far cut nothing
     far_ = 2 * w_middle_ / depth_scale_;
 
-    // w is the sum of scaled terms and w_middle.
+    // w is a sum of scaled terms and of w_middle.
     for (int i = 0; i < 3; ++i)
         terms_ = std::max(terms_, scene.reach() + eye_terms_ + 2 * std::abs(camera.target[i]));
     error_w_ = roundings * (terms_ * depth_scale_ + w_middle_);

@@ -130,7 +130,7 @@ double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
         if (left < 0)
             break;
     }
-    // Rounding gives a plane some value, which does not count as curvature.
+    // Rounding gives a plane some curvature, which does not count.
     const double size = std::max(scene.reach(), std::numeric_limits<double>::min());
     const double least = 1e-9 / (shade == l3d_shade::gaussian ? size * size : size);
     return most > least && std::isfinite(rounded_up(most)) ? rounded_up(most) : 1;

@@ -329,7 +329,8 @@ private:
 
     struct source;
     std::shared_ptr<const source> source_; ///< null unless it is curved
-    // The following copy the bounds of equal patches from `like`, which may be null.
+    // These functions copy the bounds of patches that are equal to patches of `like`, which may be
+    // null.
     l3d_patch_model(std::vector<patch> patches, const contents* like);
     l3d_patch_model(l3d_curved_pieces pieces, const source* like);
     /// Errors:  nothing, with the reason in `why`.

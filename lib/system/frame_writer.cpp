@@ -56,7 +56,7 @@ std::string save_as_new(const std::string& ending,
     constexpr int most = 9999;
     for (int number = 1; number <= most; ++number) {
         const std::string name = l3d_detail::formatted("l3d-%04d", number) + ending;
-        // A link that leads nowhere takes its name, too.
+        // A name also counts as taken if it is that of a link that leads nowhere.
         std::error_code problem;
         const auto type = std::filesystem::symlink_status(name, problem).type();
         if (type == std::filesystem::file_type::none)

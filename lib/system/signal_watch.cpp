@@ -64,8 +64,8 @@ void l3d_signal_watch::end_what_takes_too_long() const {
 
 l3d_signal_watch::l3d_signal_watch() {
     assert(noted == 0);
-    // A pipe holds the news: without it, a signal between a look at caught() and the sleep would be
-    // missed.
+    // A pipe keeps the news of a signal. Without it, a signal between a look at caught() and the
+    // sleep would be missed.
     std::array<int, 2> ends{-1, -1};
     if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) {
         waker_ = ends[0];
@@ -73,7 +73,7 @@ l3d_signal_watch::l3d_signal_watch() {
     }
     struct sigaction action {};
     action.sa_handler = note_signal;
-    // SA_RESTART is not set, as a signal has to end the wait for events.
+    // SA_RESTART is not set, since a signal has to end the wait for events.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     over_ = eventfd(0, EFD_CLOEXEC);

@@ -206,7 +206,7 @@ struct face_writer::edge_use {
             result.emplace_back(each.Current(), face);
         if (result.size() == count)
             return result;
-        // The explorer stops where edges do not meet, so the nearest edge is then the next.
+        // The explorer stops where edges do not meet. Then the nearest edge is the next.
         std::vector<edge_use> left;
         for (TopoDS_Iterator each(wire); each.More(); each.Next())
             if (each.Value().Orientation() == TopAbs_FORWARD ||

@@ -45,7 +45,8 @@ inline net bezier_of(const net& p) {
     net result{};
     for (const int r : {0, 1})
         for (const int c : {0, 1}) {
-            // The corner at control point (row, column); rows and columns go on by `down`, `right`.
+            // The corner at control point (row, column). `down` and `right` lead from there to
+            // further rows and columns.
             const int row = 1 + r, column = 1 + c, down = r == 0 ? 1 : -1, right = c == 0 ? 1 : -1;
             const auto put = [&](int i, int k, double value) {
                 const int to_row = r == 0 ? i : 3 - i, to_column = c == 0 ? k : 3 - k;

@@ -33,8 +33,8 @@ face_ring::face_ring(const far::TopologyLevel& level, int face) {
     add(face, 0);
     const auto own = level.GetFaceVertices(face);
     for (int i = 0; i < own.size(); ++i) {
-        // They run counterclockwise; the first one is the face itself, so that equal rings have
-        // equal shapes.
+        // The faces around a vertex run counterclockwise. The list begins with the face itself, so
+        // that equal rings have equal shapes.
         const auto around = level.GetVertexFaces(own[i]);
         const auto local = level.GetVertexFaceLocalIndices(own[i]);
         const int begin = std::max(0, around.FindIndex(face));

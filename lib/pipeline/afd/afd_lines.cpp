@@ -75,7 +75,7 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    // A smooth line would not cover transparent pixels.
+    // Smooth lines are no use on transparent pixels, since they would not cover these.
     const bool smooth = settings_.antialias && !settings_.background.is_none();
     l3d_detail::wire_drawer(rasterizer_, l3d_detail::net_color, smooth, screen_->text_scale())
         .draw(lines.all());

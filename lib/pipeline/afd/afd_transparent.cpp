@@ -109,7 +109,7 @@ void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times
         times.raster += writing.milliseconds();
     }
 
-    // The depth is that of the nearest surface, as if it were opaque.
+    // The depth is that of the nearest surface, as if all surfaces were opaque.
     if (wants_depth())
         draw_surfaces(now, {what_is_there(), mixed, whole, true}, times);
 }

@@ -259,8 +259,8 @@ l3d_control_handles::effect l3d_control_handles::drag(const l3d_event& motion,
                                          motion.y + 0.5 + grab_->down, distance, view.size))
                    ? effect::changed
                    : effect::seen;
-    // Along the line of sight, a motion moves a handle as far as it would sideways. Handles nearer
-    // than the near plane would be lost.
+    // A motion along the line of sight is as long as the same motion to the side would be. Handles
+    // must not come nearer than the near plane, where they would be lost.
     const double way = (std::exchange(grab_->y, motion.y) - motion.y) * distance /
                        view.camera.focal_length(view.size);
     const bool stays = distance + way >= 2 * view.camera.near_z;

@@ -92,8 +92,8 @@ private:
         };
         if (const std::size_t flat = first_of(flat_, is_flat))
             return flat;
-        // Where corners coincide, a corner may have become an ear that is no neighbour of the last
-        // one cut off.
+        // Where corners coincide, another corner than the neighbours of the last one cut off may
+        // have become an ear.
         if (surveys_ < most_surveys) {
             ++surveys_;
             for (std::size_t i = next_[0]; i != 0; i = next_[i])

@@ -65,7 +65,7 @@ void l3d_pipeline_zbuffer::draw_solid(const scene& what, l3d_polygon_report& rep
 void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     const stopwatch filling;
     depth_.resize(what.target.size());
-    scene clear = what; // without fog, GL may fill the depth
+    scene clear = what; // GL may fill the depth if there is no fog
     clear.shading.fog = {};
     fill(clear, &depth_, report);
     what.frame.list(triangles_, workers());

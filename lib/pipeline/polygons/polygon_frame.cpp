@@ -279,8 +279,8 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
         }
         if (!may_be_seen(p[0], p[1], p[2], in.view.size(), in.how.antialias))
             continue;
-        // The pieces are a fan. Its border has the middle side of each piece, the first piece's
-        // first and the last piece's last.
+        // The pieces are a fan. Its border consists of the middle side of each piece, the first
+        // side of the first piece, and the last side of the last piece.
         const bool first = i == 0, last = i + 1 == pieces.count;
         add_piece(in, number, p, static_cast<std::uint32_t>(first | 2 | last << 2), to);
         seen = true;

@@ -92,7 +92,8 @@ l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,
                                       const l3d_lighting& lighting) const {
     l3d_shading result = l3d_camera_shading(camera_, size_, mode, light, lighting);
     result.ray = result.ray_right = result.ray_down = {0, 0, 0};
-    // A column is 1 / stretch as wide, and the picture's middle lies `shift` to the right and down.
+    // In the stretched picture, a column is 1 / stretch as wide, and the middle lies `shift` to the
+    // right and down.
     const double left = size_.width / 2.0 * (1 - 1 / fit_.stretch) - fit_.shift / fit_.stretch;
     for (std::size_t i = 0; i < 3; ++i) {
         result.look[i] +=

@@ -46,7 +46,8 @@ bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned co
         const double t = at_a / (at_a - at_b);
         const homogeneous cut{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.d + t * (b.d - a.d),
                               a.w + t * (b.w - a.w)};
-        const unsigned done = ~((2u << i) - 1); // rounding may leave the cut on the outer side
+        // Planes done: rounding may leave the cut outside of one.
+        const unsigned done = ~((2u << i) - 1);
         if (code_a >> i & 1) {
             a = cut;
             code_a = outcode(planes, a) & done;

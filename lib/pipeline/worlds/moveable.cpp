@@ -139,7 +139,8 @@ template <class T> bool l3d_moveable<T>::moves() const {
 }
 
 template <class T> void l3d_moveable<T>::fly(double seconds) {
-    // Turns by half, moves, and turns by the other half: the error of a step falls with its square.
+    // Turns by half of the angle, moves, and turns by the other half. So the error of a step falls
+    // with the step's square.
     const double half_turn = effective_time(kept_spin, seconds) / 2;
     const double way = effective_time(kept_velocity, seconds);
     spin_by(half_turn);

@@ -42,13 +42,14 @@ bool l3d_world::remove(const l3d_object& object) {
         return false;
     if (updates_ > 0)
         return removed_.insert(&object).second;
-    const std::unique_ptr<l3d_object> leaving = std::move(*found); // it may remove more objects
+    // Its destructor may remove more objects.
+    const std::unique_ptr<l3d_object> leaving = std::move(*found);
     objects_.erase(found);
     return true;
 }
 
 void l3d_world::drop_removed() {
-    std::vector<std::unique_ptr<l3d_object>> leaving; // their ends may remove more
+    std::vector<std::unique_ptr<l3d_object>> leaving; // their destructors may remove more
     for (auto& object : objects_)
         if (removed_.contains(object.get()))
             leaving.push_back(std::move(object));

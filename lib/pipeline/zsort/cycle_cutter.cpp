@@ -59,7 +59,7 @@ cycle_cutter::fragment cycle_cutter::cut_side(const fragment& of, const fragment
         {of.piece.triangle, static_cast<std::uint32_t>(cuts_->size())}, of.plane, {}, 0, 0, 0, 0};
     cuts_->push_back({by.piece.triangle, in_front, of.piece.cut});
     keep_side(of.region, of.plane, by.plane, in_front, result.region);
-    if (result.region.empty()) // rounded away, though some pixel's centre may be there
+    if (result.region.empty()) // rounding may leave nothing, though a pixel's centre is there
         result.region = of.region;
     set_box(result);
     return result;
@@ -130,7 +130,7 @@ void cycle_cutter::arrange(fragments&& set) {
 /// fewest others and divides them most equally.
 std::size_t cycle_cutter::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
-    constexpr long price_of_cut = 4; // in members by which the halves differ
+    constexpr long price_of_cut = 4; // a cut costs as much as halves that differ by so many members
     std::size_t best = 0;
     long least = -1;
     const std::size_t step = std::max<std::size_t>(set.size() / tried, 1);

@@ -135,8 +135,8 @@ private:
         constexpr int side = 1 << cell_bits, cells = side * side;
         const int right = item.left % side, down = item.top % side;
         const std::uint64_t stay = ((0xffU << right) & 0xffU) * first_column;
-        // The pixels, moved to the right. Those that leave the tile enter the next one at its left
-        // side.
+        // The pixels are moved to the right. Those that leave the tile enter the next one at its
+        // left side.
         const std::uint64_t here = item.cover << right & stay;
         const std::uint64_t next = right == 0 ? 0 : item.cover >> (side - right) & ~stay;
         const std::size_t tile = at(item.left >> cell_bits, item.top >> cell_bits);

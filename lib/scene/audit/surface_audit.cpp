@@ -52,7 +52,7 @@ public:
     void offer(std::size_t side, double a, double b) {
         const double share = a / (a - b);
         const double off = std::min(share, 1 - share) * length(side);
-        if (off > most_) { // not if share is NaN
+        if (off > most_) { // false if share is NaN
             best_ = {side, share};
             most_ = off;
         }
@@ -78,7 +78,7 @@ public:
     largest_distance(const part_tree& to, double slack) : to_(to), slack_(slack) {}
 
     l3d_audited_way from(std::span<const audit_part> parts) {
-        // With some good samples at first, most searches for parts and places end early.
+        // Some good samples come first. They let most searches for parts and places end early.
         constexpr std::size_t first_samples = 16;
         for (std::size_t i = 0; i < parts.size(); i += first_samples)
             sample(parts[i].middle(), parts[i]);
@@ -98,7 +98,7 @@ public:
             const open_part next = std::move(open_.back());
             open_.pop_back();
             const auto halves = next.part.cut(next.at.side, next.at.share);
-            if (next.part.size() < large * enough()) // the corner that the cut has made
+            if (next.part.size() < large * enough()) // samples the corner that the cut has made
                 sample(halves[0].flat.corners()[1], next.part);
             for (const audit_part& half : halves)
                 judge(half, next.most);
@@ -149,7 +149,7 @@ private:
                 settled_ = std::max(settled_, here);
                 return;
             }
-            // Where Newton's method fails, as at a pole, a search may find a part.
+            // Where Newton's method fails, as at a pole, a search in the tree may find a part.
             const double wanted = enough() - part.off;
             const auto by_search = to_.nearest(
                 corners,
@@ -266,8 +266,8 @@ private:
                     inside[k][i] = std::clamp(places[k][i], sheet.least[i], sheet.most[i]);
             };
             find(last_place_);
-            // Beside a pole, the search fails from most places, but hardly from one farther from
-            // the pole.
+            // Beside a pole, Newton's method fails from most places, but seldom from a place
+            // farther away.
             if (distance_at(sheet, inside[k], corners[k]) > enough())
                 find(best_of_grid(sheet, corners[k]));
         }

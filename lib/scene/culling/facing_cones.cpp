@@ -81,7 +81,7 @@ void l3d_facing_cones::set(std::size_t block, const ball_and_cone& of) {
 /// with the axis exceeds the cone's sine.
 unsigned l3d_facing_cones::away_from(const vector& from, double side) const {
     const double reach = slack * (std::abs(from[0]) + std::abs(from[1]) + std::abs(from[2]));
-    // Squares test the whole patch: a root would be half of the work.
+    // The test of the whole patch compares squares, since a root would be half of the work.
     const vector way = whole_.centre - from;
     const double along_whole = side * l3d_dot(way, whole_.axis), sine = whole_.sine + slack;
     const double clear = std::abs(along_whole) - whole_.radius * (1 + sine) - reach;

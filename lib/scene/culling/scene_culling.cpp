@@ -240,7 +240,7 @@ std::span<const l3d_placed_patch> l3d_scene_culling::next_batch(hidden_call hidd
     batch_size_ = std::clamp(2 * batch_size_, first_batch, largest_batch);
     batch_.clear();
     while (left_ > 0 && batch_.size() < batch_size_) {
-        // A rest no larger than this batch goes with it.
+        // If at most two batches of this size are left, this batch takes all.
         const std::size_t wanted = left_ <= static_cast<std::int64_t>(2 * batch_size_)
                                        ? 2 * batch_size_
                                        : batch_size_ - batch_.size();

@@ -53,7 +53,7 @@ image_edge::image_edge(const l3d_shared_edge& edge, const l3d_patch_instance& in
         spans.push_back({one.from, one.to, std::move(net)});
     }
     const double longer = instance.scale() > 0 ? instance.scale() : l3d_length(instance.terms());
-    if (is_ahead) // nothing is bounded where an edge reaches the near plane
+    if (is_ahead) // where an edge reaches the near plane, nothing is bounded
         off = edge.off * longer * view.scale_at(least_z);
 }
 

@@ -164,7 +164,8 @@ bernstein_net bernstein_net::part(double u0, double u1, double v0, double v1) co
             continue;
         const bernstein_net old = result;
         for_lines(old, along_u, [&](std::size_t first, std::size_t stride, int degree) {
-            // The blossom at `from` in degree - k places and at `to` in k places.
+            // The coefficient is the blossom at `from` in degree - k arguments and at `to` in k
+            // arguments.
             for (int k = 0; k <= degree; ++k) {
                 values p{};
                 for (int i = 0; i <= degree; ++i)
@@ -293,8 +294,8 @@ double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
     }
     is_trimmed = true;
     const double off = l3d_flat_trims(loops, lengths, wanted, region);
-    // Trims of files run along sides of pieces, except for rounding. They must not be cut off
-    // there.
+    // Trims of files may run along sides of pieces, and leave them by rounding. Such a trim must
+    // not cut off a part of the side.
     constexpr double rounding = 1e-9;
     for (l3d_trim_polygon& polygon : region.polygons)
         for (l3d_trim_corner& corner : polygon)

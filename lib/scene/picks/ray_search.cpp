@@ -96,7 +96,7 @@ struct operator_of {
         const double a = j[0][0].middle(), b = j[0][1].middle();
         const double c = j[1][0].middle(), d = j[1][1].middle();
         const double determinant = a * d - b * c;
-        // Nothing is proven if the determinant may be rounding alone.
+        // Nothing is proven if the determinant may be 0 within its rounding.
         if (!(std::abs(determinant) > 0x1p-40 * (std::abs(a * d) + std::abs(b * c))))
             return;
         exists = true;
@@ -221,7 +221,8 @@ bool l3d_ray_search::settle(const part& one) {
     for (const double step : first)
         if (std::abs(step) + reach > 0.5)
             return false;
-    // The image is inside: there is one hit. The last step bounds the remaining distance.
+    // The image is inside, so there is exactly one hit. The last step bounds the distance that is
+    // left.
     double left = 1;
     for (int i = 0; i < 8 && left > blur; ++i) {
         const auto step = newton.step(larger.evaluate(at[0], at[1]));

@@ -403,7 +403,8 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     }
     refuse_what_is_left(parser_->app);
     refuse_one_file_for_two();
-    // Made early, so that faults in --output are told before the user is asked for a back-end.
+    // The writer is made early, so that faults in --output are told before the user is asked for a
+    // back-end.
     const l3d_frame_writer frames(common_.output, common_.alpha);
     for (const named_file& file : files_)
         if (file.value != &common_.output && frames.has_frame_in(*file.value))
