@@ -7,7 +7,7 @@
 #include <type_traits>
 
 l3d_arithmetic l3d_real_arithmetic() {
-    return  std::is_same_v<l3d_real, float>    ? l3d_arithmetic::float_32
+    return std::is_same_v<l3d_real, float>    ? l3d_arithmetic::float_32
            : std::is_same_v<l3d_real, double> ? l3d_arithmetic::float_64
                                               : l3d_arithmetic::fixed_32_32;
 }

@@ -30,10 +30,11 @@ enum class l3d_method {
 /// A method and its parameters.
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
-    /// Quads along a patch, cells along the model, or points or quads along a pixel, as the method
-    /// has it; 0 for fd lets the tolerance choose.
+    /// The number in the method's name: quads along a patch for tessellation and fd, cells along
+    /// the model for voxels, points or quads along a pixel for isocurves, kept and micropolygons. 0
+    /// for fd lets the tolerance choose.
     int resolution = 0;
-    /// For fd; for afd, too, but for fixed_16_16.
+    /// The numbers that fd and afd walk in. afd has no fixed_16_16.
     l3d_arithmetic arithmetic = l3d_real_arithmetic();
 
     /// The name on the command line: "fd", "tessellation:16".

@@ -151,8 +151,8 @@ public:
 
 private:
     using fixed_16 = l3d_fixed<std::int32_t, 16>; ///< 32 bits, half of them after the point
-    /// The whole numbers in which Klassen's way walks: a grid of 2^-6 pixel, and 3 bits for each of
-    /// 12 halvings.
+    /// The whole numbers in which Klassen's method walks: a grid of 2^-6 pixel, and 3 bits for each
+    /// of 12 halvings.
     using whole_42 = l3d_fixed<std::int64_t, 42>;
 
     static constexpr std::size_t none = 4;
@@ -297,8 +297,8 @@ private:
     }
 
     /// The factor on thin lines and letters: 1 in windows of 480 x 320 pixels. In larger windows it
-    /// grows more slowly than the window. On a fine display sizes count in units of its text, so
-    /// that windows look as they do elsewhere.
+    /// grows more slowly than the window. On a fine display, sizes are in units of the display's
+    /// text, so that windows look as they do elsewhere.
     double unit() {
         const double dots = std::max(1.0, screen().text_scale());
         const double larger = std::min(size().width / 480.0, size().height / 320.0) / dots;
@@ -431,7 +431,8 @@ private:
         return {text.data(), end.ptr};
     }
 
-    /// The doublings that Klassen's way needs: it takes 2^doublings steps, here at least `steps`.
+    /// The number of doublings by Klassen's method for `steps` steps or more. The method takes
+    /// 2^doublings steps.
     static int doublings_for(int steps) {
         int doublings = 0;
         while (1 << doublings < steps)

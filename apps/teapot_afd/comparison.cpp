@@ -265,8 +265,8 @@ void comparison::draw_line() {
                           line_color);
 }
 
-/// Changes the right tolerance until both halves take the same time, which is about proportional to
-/// 1 / tolerance. The fourth root damps the noise of times.
+/// Changes the right tolerance until both halves take the same time. That time is about
+/// proportional to 1 / tolerance. The fourth root damps the noise of times.
 void comparison::seek_equal_time() {
     if (!equal_time_ || !other_method_.keeps_tolerance())
         return;

@@ -17,8 +17,8 @@ namespace {
 using cubic = std::array<double, 4>;
 using plane_curve = l3d_bezier_curve<double, 2>;
 
-/// Random numbers that are the same with every library: mt19937_64 is specified, distributions are
-/// not.
+/// Random numbers that are the same with every library. The standard specifies mt19937_64, but not
+/// distributions.
 class number_source {
 public:
     double between(double low, double high) {

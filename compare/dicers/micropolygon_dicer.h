@@ -13,8 +13,8 @@
 
 #include <array>
 
-/// The largest number of quads along a grid. With two quads a pixel they are 16 pixels long, as
-/// large as the paper's grids. Walks of up to 32 steps are certified.
+/// The largest number of quads along a grid. With two quads along a pixel, such a grid is 16 pixels
+/// long, as large as the paper's grids. Walks of up to 32 steps are certified.
 inline constexpr int l3d_most_micropolygons = 32;
 
 /// The estimated lengths of the longest curves along u and along v: those of the longest rows of

@@ -38,8 +38,8 @@ l3d_detail::json number_or_null(double value) {
     return std::isfinite(value) ? l3d_detail::json(value) : l3d_detail::json(nullptr);
 }
 
-/// The patches over the tolerance, and the worst of them. It has its number in its model, and its
-/// instance's number in the scene, from 0.
+/// The patches over the tolerance, and the worst of them, which is told by two indices: in its
+/// model, and its instance's in the scene.
 l3d_detail::json over_tolerance_of(const l3d_dice_counts& dice) {
     l3d_detail::json result{{"patches", dice.coarse}, {"for_budget", dice.unfinished}};
     if (dice.coarse > 0)

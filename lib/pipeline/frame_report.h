@@ -53,7 +53,7 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
     l3d_dice_counts dice;     ///< patches seen, steps, and the certified bounds
-    /// Pixels that stay from the last frame, as nothing changed there.
+    /// The number of pixels that stay from the last frame, since nothing changed there.
     std::int64_t pixels_kept = 0;
 
     /// The error that approximation adds to the bounds of places and depth: patches of curved

@@ -134,8 +134,8 @@ private:
 /// l3d_pipeline_afd_viewer with l3d_control_handles on its model, and keys that show them, undo and
 /// save. A panel tells the bound, times, and the handle under the pointer.
 ///
-/// Expects: the scene is one opaque instance at its own place; else the key for handles says why it
-///          shows none.
+/// Expects: the scene is one opaque instance at its own place. For any other scene, the key for
+///          handles says why it shows none.
 /// Cost:    after a change the whole model is made again before the next frame, some 10 us a
 ///          bicubic patch, and more for other pieces. The panel tells the time.
 class L3D_PUBLIC l3d_pipeline_afd_editor : public l3d_pipeline_afd_viewer {

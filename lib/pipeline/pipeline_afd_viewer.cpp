@@ -176,8 +176,8 @@ void l3d_pipeline_afd_viewer::draw_panels() {
     controls_.draw(rasterizer(), lines, key, standing);
 }
 
-/// The scale of the shade's colours. Windows alone show that of the error. Pictures in files have a
-/// scale of inspection if they ask for it.
+/// The scale of the shade's colours. Only windows show the scale of the error. Pictures in files
+/// have the scale of an inspection if they ask for it.
 l3d_panel l3d_pipeline_afd_viewer::legend() {
     l3d_panel result;
     const bool is_filled = !settings().wireframe && !settings().drawing;

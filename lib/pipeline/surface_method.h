@@ -26,7 +26,7 @@ struct l3d_dice_view;
 /// Lives: everything that it refers to must outlive the frame.
 struct L3D_PUBLIC l3d_method_frame {
     const l3d_patch_scene& scene; ///< the scene to draw
-    /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
+    /// The scene's materials, indexed by l3d_patch_scene::material_of; none if all is white.
     std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< the camera
     const l3d_matrix<double>& to_image; ///< world to image; for the library's own methods
@@ -125,10 +125,10 @@ public:
     /// The factory of the library's own method.
     l3d_method_factory();
 
-    /// A factory of methods that `create` makes. Reports and messages call them by `name`.
-    /// `has_bound` says that their counts bound the error, which mode `error` needs.
+    /// Makes factories of methods that `create` makes. Reports and messages call these methods by
+    /// `name`. `has_bound` says that their counts bound the error, which mode `error` needs.
     /// `draws_parallel` says that they draw parallel projections, with the depths that l3d_shading
-    /// has there; other methods are not asked to.
+    /// has there; other methods get no such frames.
     l3d_method_factory(std::string name, create_call create, bool has_bound = false,
                        bool draws_parallel = false);
 

@@ -92,8 +92,9 @@ public:
     /// Returns false if nothing is there.
     bool turn_about(double x, double y);
 
-    /// The position of a place of the world in the picture, as rasterizers count: whole numbers are
-    /// the middles of pixels. The result is nothing if the place is nearer than the near plane.
+    /// The position of a place of the world in the picture, in the coordinates of rasterizers:
+    /// whole numbers are the middles of pixels. The result is nothing if the place is nearer than
+    /// the near plane.
     std::optional<l3d_point_2d> position(const vector& place) const;
 
     /// Turns, moves or zooms when a button goes down, the pointer moves or the wheel turns. Returns
@@ -151,7 +152,8 @@ public:
 
     /// The time that drawing a picture takes. Units: milliseconds. 0 before the first end().
     double milliseconds() const;
-    /// Pictures a second, from the first that counts to the last begin(). 0 at rest.
+    /// Pictures a second. It counts from the first picture of the last second to the last begin(),
+    /// and is 0 at rest.
     double per_second() const;
     /// Both numbers as text for people. At rest it is the time alone, and "" before the first
     /// end().
@@ -191,17 +193,17 @@ struct L3D_PUBLIC l3d_standing_panel {
 /// Lives: borrows pipeline, screen and camera.
 class L3D_PUBLIC l3d_viewer_controls {
 public:
-    /// Makes the controls of a viewer. `rows` are the viewer's own. `reset` undoes its changes of
-    /// the view beside the camera, and may be empty. `viewed` answers questions about the picture.
-    /// `font` has the letters of all panels.
-    /// Expects: no key is in two rows, those of this class included.
+    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. `reset` undoes the
+    /// viewer's own changes of the view, other than those of the camera; it may be empty. `viewed`
+    /// answers questions about the picture. `font` has the letters of all panels. Expects: no key
+    /// is in two rows, those of this class included.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
                         l3d_viewed viewed = {}, l3d_font font = {});
 
-    /// Lets the eye turn around the target by this angle per frame. Where time is measured, it is
-    /// the angle per 1 / fps of a second. The first frame is not turned.
-    /// Units: degrees; frames a second.
+    /// Lets the eye turn around the target by this angle per frame. If time is measured, it turns
+    /// by this angle in each 1 / fps of a second. The first frame is not turned. Units: degrees;
+    /// frames a second.
     void set_turntable(double degrees_per_frame, double fps) {
         turntable_degrees_ = degrees_per_frame * fps;
     }

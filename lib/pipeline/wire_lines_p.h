@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// Adds the sides of quads that triangles do not replace.
+    /// Adds the sides of all quads that are not replaced by triangles.
     void add_uncut(const l3d_micro_grid& g) {
         for (int r = 0; r + 1 < g.rows; ++r)
             for (int c = 0; c + 1 < g.columns; ++c) {

@@ -135,8 +135,8 @@ struct L3D_PUBLIC l3d_camera {
     vector place_at(double x, double y, double depth, l3d_size size) const;
 };
 
-/// A function for the reach of a thing along a direction: the largest dot product of the direction
-/// with any of its points. Without points it is minus infinity.
+/// A function that tells how far a thing reaches along a direction: the largest dot product of the
+/// direction with any of its points. Without points it is minus infinity.
 using l3d_reach = std::function<double(const l3d_vector<double, 3>& direction)>;
 
 /// The reach of the surfaces of a scene, not of their control points. It is too large by at most
@@ -182,7 +182,8 @@ inline constexpr const char* l3d_too_small =
 /// The reason that pipelines give for a model whose faces or patches are all points or lines.
 inline constexpr const char* l3d_without_area = "without any area";
 
-/// The camera itself if l3d_shows_well, else that of l3d_framed. Expects, Errors: as these two.
+/// The camera itself if l3d_shows_well, else the camera that l3d_framed makes of it. Expects,
+/// Errors: as these two functions.
 L3D_PUBLIC l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach);
 

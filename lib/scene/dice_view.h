@@ -69,15 +69,14 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
 
 /// The largest error a that outlines of smooth edges may have. With a tolerance of b, their bound
 /// is 1 / (1 / a + 1 / b): a twelfth of a pixel at the usual tolerance of a quarter. Measured
-/// outlines have a root mean square error of a sixth of this bound. Counting 64 samples errs by
-/// 0.73 / 64 of a pixel, which is nearly as much.
-/// Units: pixels.
+/// outlines have a root mean square error of a sixth of this bound. The coverage of a pixel by 64
+/// samples errs by 0.73 / 64 of a pixel, which is nearly as much. Units: pixels.
 inline constexpr double l3d_widest_outline = 0.125;
 
-/// A parallel projection is drawn in perspective from a far eye: half of the scene's depth is at
-/// most this part of the eye's distance. Places in the picture are off by the same part of their
-/// distance from its middle: 2^-9 pixels in a picture 4096 wide. Errors of the transform include
-/// this.
+/// The accuracy of a parallel projection, which is drawn in perspective from a far eye. Half of the
+/// scene's depth is at most this part of the eye's distance. Places in the picture are off by the
+/// same part of their distance from its middle: 2^-9 pixels in a picture 4096 wide. Errors of the
+/// transform include this.
 inline constexpr double l3d_parallel_part = 0x1p-20;
 
 /// The picture and the accuracy asked for; constant for a frame.
@@ -160,8 +159,8 @@ struct l3d_dice_view {
                (is_parallel() ? 1.25 / std::abs(depth_slope() * w_middle) : 1.0);
     }
 
-    /// The factor by which places are more accurate where outlines may be: budgets of errors are
-    /// divided by it.
+    /// The factor by which budgets of errors are smaller where outlines may be, since smooth edges
+    /// show them more exactly.
     double finer_outlines() const {
         return shading.antialias ? 1 + tolerance / l3d_widest_outline : 1;
     }
@@ -183,8 +182,8 @@ struct l3d_dice_view {
         return terms > 0 ? std::min((reach + eye_terms) / terms, 1.0) : 1.0;
     }
 
-    /// The near plane for points that have this share of the errors. Nearer than 32 errors of w, w
-    /// and quotients by it have few certain digits.
+    /// The near plane for points that have this share of the errors. It keeps w above 32 errors of
+    /// w, since below that w and quotients by it have few certain digits.
     double near_of(double share) const {
         return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
     }
@@ -213,7 +212,8 @@ struct l3d_dice_view {
         return std::max({tolerance - vertex_error, tolerance / 4, finest});
     }
 
-    /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
+    /// The farthest that balanced vertices (l3d_balance) may lie beside the surface, since no
+    /// budget is larger.
     double most_moved() const { return chord_budget(0); }
 
     /// The largest error that walking, by forward differences, may add to a vertex. Where it would

@@ -176,7 +176,7 @@ struct depths {
     }
 };
 
-/// The camera with eye and target at these depths, through a place `line` along the line of sight.
+/// The camera with eye and target at these depths, on the line of sight through the place `line`.
 /// The eye is moved into its allowed range. None if the eye is too near to the target, as for tiny
 /// models.
 /// Expects: the model begins at depth `nearest`.
@@ -200,7 +200,7 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
     return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
-/// l3d_framed in perspective; none if no eye is near enough to a tiny model.
+/// Does what l3d_framed does in perspective; none if no eye is near enough to a tiny model.
 /// Expects: the model is not empty.
 std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach) {
@@ -216,7 +216,8 @@ std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size 
     return placed(camera, line, eye, depth.middle(), depth.nearest);
 }
 
-/// l3d_framed in a parallel projection; none if no eye is near enough to a tiny model.
+/// Does what l3d_framed does in a parallel projection; none if no eye is near enough to a tiny
+/// model.
 std::optional<l3d_camera> framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();

@@ -15,11 +15,10 @@
 
 /// The kind of a line of a surface.
 enum class L3D_PUBLIC l3d_line_kind {
-    /// The surface turns away from the eye: a silhouette, also one seen before the surface.
-    contour,
-    crease, ///< two pieces meet at an angle of more than two degrees
-    border, ///< the surface ends, or is trimmed
-    joint   ///< two faces meet at an edge of the model without an angle
+    contour, ///< the surface turns away from the eye: its outline, or that of a fold
+    crease,  ///< two pieces meet at an angle of more than two degrees
+    border,  ///< the surface ends, or is trimmed
+    joint    ///< two faces meet at an edge of the model without an angle
 };
 
 /// A place of a line in the picture.

@@ -20,9 +20,9 @@
 
 namespace {
 
-/// The path of a file that another file names. It is taken to be beside that file, even if the name
-/// is a path on another machine or of Windows. A model from a pipe has no folder; the current
-/// folder stands for it.
+/// The path of a file that another file names. The file is looked for beside that other file, even
+/// if the name is a path on another machine or of Windows. A model from a pipe has no folder; the
+/// current folder stands for it.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);
@@ -69,7 +69,7 @@ void note_unknown(std::span<const l3d_named_material> known, const std::string& 
                               "; such materials are white");
 }
 
-/// A file of materials that was looked for: its path, and its text or why there is none.
+/// A file of materials that was looked for: its path, and its text or the reason why there is none.
 struct material_text {
     std::string place, why, text;
 

@@ -134,7 +134,8 @@ public:
     static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces,
                                          std::span<const l3d_model_edge> edges = {});
 
-    /// The number of pieces that the model is made of: that of patches(), unless it is curved.
+    /// The number of pieces that the model is made of. It is the number of patches(), unless the
+    /// model is curved.
     std::size_t pieces() const;
     /// The index of the piece that a patch belongs to. Expects: index < patches().size().
     std::size_t piece_of(std::size_t index) const;
@@ -203,8 +204,8 @@ public:
     /// parameters; 0 for models without surface_error(). It is infinite where a normal vanishes
     /// inside of a patch of a curved model.
     double normal_error() const;
-    /// Whether that bound holds for a patch. It does not where nothing is known about the normals
-    /// of the approximated surface. Expects: index < patches().size().
+    /// Whether normal_error() holds for a patch. It does not where nothing is known about the
+    /// normals of the approximated surface. Expects: index < patches().size().
     bool has_normal_error(std::size_t index) const;
 
     /// The sides that meet two patches of half the size, in the order of patches. A half of the
@@ -234,7 +235,7 @@ public:
     /// lives at the same time has it.
     const void* source_identity() const;
 
-    /// The least x, y and z of the pieces' control points: those of least(), unless the model is
+    /// The least x, y and z of the pieces' control points. It is least(), unless the model is
     /// curved.
     const vector& pieces_least() const;
     /// The largest x, y and z of the pieces' control points.

@@ -28,7 +28,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// magnitudes. The axes are good to 24 of them, products and sums add 8, placing the model 8.
 /// Halving adds 6, as halves become smaller, and evaluating 12. Twice that is enough.
 constexpr double ray_rounding = 128 * 0x1p-53;
-/// The same for a coordinate in the world.
+/// Roundings of a coordinate in the world, as a part of the same sum.
 constexpr double world_rounding = 16 * 0x1p-53;
 
 /// The ray through a place of a picture, with coordinates that are 0 along the ray, and depth.

@@ -9,7 +9,7 @@
 
 /// The patch's control points as (x, y, w): rows 0, 1 and 3 of to_image times (point, 1).
 ///
-/// Each point has the bits that its product alone would have, so points that two patches share stay
+/// Each point has the same bits as if it were placed alone, so points that two patches share stay
 /// shared.
 /// Cost: some 25 ns.
 l3d_image_patch l3d_placed_net(const l3d_matrix<double>& to_image,

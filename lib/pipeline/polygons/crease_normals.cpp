@@ -15,10 +15,11 @@ float cosine(double degrees) {
     return static_cast<float>(std::cos(degrees * std::numbers::pi / 180));
 }
 
-/// Margin for normals rounded to float: those of coplanar faces differ by some ulps.
+/// Margin for normals that are rounded to float. The normals of coplanar faces then differ by some
+/// ulps.
 constexpr float rounding = 1e-6F;
 
-/// The first corner of a corner's group, which stands for the group.
+/// The corner that stands for a corner's group: the group's first one.
 std::uint32_t first_of(std::vector<std::uint32_t>& groups, std::uint32_t corner) {
     while (groups[corner] != corner)
         corner = groups[corner] = groups[groups[corner]];

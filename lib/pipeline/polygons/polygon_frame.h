@@ -83,10 +83,10 @@ public:
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
-    /// The wanted number of chunks, and the least and the largest number of triangles in one.
-    /// Without `ends`, a chunk is one item of work and one part. The smallest takes some 10^4
-    /// cycles. 16 chunks give workers even shares. Larger ones would not stay in a cache of the
-    /// second level.
+    /// The wanted number of chunks, and the least and the largest number of triangles in a chunk.
+    /// Without `ends`, a worker takes a chunk at a time, and a chunk is one part. The smallest
+    /// takes some 10^4 cycles. 16 chunks give workers even shares. Larger chunks would not stay in
+    /// a cache of the second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {

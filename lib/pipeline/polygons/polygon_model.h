@@ -69,9 +69,9 @@ public:
     ~l3d_polygon_model() = default;
 
     /// A model of this mesh. With `to_origin`, it is moved so that the mean of the vertices is the
-    /// origin. Faces whose normals are at most the crease angle apart look smooth where they meet,
-    /// unless the mesh has normals: then these count. Faces of four corners that cross themselves
-    /// become two triangles.
+    /// origin. If the mesh has no normals, faces look smooth where they meet if their normals are
+    /// at most the crease angle apart. Faces of four corners that cross themselves become two
+    /// triangles.
     /// Units:   degrees.
     /// Expects: mesh.is_valid(); coordinates of magnitude at most 1e12; an angle of 0 to 180.
     explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false,
@@ -130,10 +130,10 @@ public:
     /// A model that shows all but some parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// The shown faces in front of a plane, cut where they pass through it: a body is open there.
-    /// Pictures are left out, and normals are made anew, with the usual crease angle, unless the
-    /// mesh has its own. The model keeps its box, and turns about the same centre.
-    /// Cost: as the constructor.
+    /// A model of the shown faces in front of a plane. Faces that the plane passes through are cut,
+    /// so a body is open there. Pictures are left out. Normals are made anew with the usual crease
+    /// angle, unless the mesh has its own. The model keeps its box, and turns about the same
+    /// centre. Cost: as the constructor.
     l3d_polygon_model cut(const l3d_plane<double>& plane) const;
 
     /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain and no
@@ -249,16 +249,14 @@ struct L3D_PUBLIC l3d_patch_mesh {
     std::vector<std::size_t> face_ends; ///< patch by patch, the number of faces up to its last
 };
 
-/// Turns each patch into n by n quads of two triangles, counterclockwise seen from where dS/du x
-/// dS/dv points to. Their vertices have the patch's normals, and the triangles its material and its
-/// part.
+/// Turns each patch into n by n quads of two triangles, counterclockwise as seen from the side to
+/// which dS/du x dS/dv points. Their vertices have the patch's normals, and the triangles its
+/// material and its part.
 ///
-/// Patches with a common boundary have the same points on it: these are a function of the
-/// boundary's control points, whichever way it runs. They are one vertex, unless the normals of the
-/// two differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left
-/// out.
-/// Expects: n >= 1.
-/// Errors: throws l3d_error(bad_input) for trimmed surfaces.
+/// Patches with a common boundary have the same points on it, since these depend on the boundary's
+/// control points alone, in either direction. Two such points are one vertex, unless their normals
+/// differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left out.
+/// Expects: n >= 1. Errors: throws l3d_error(bad_input) for trimmed surfaces.
 L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 
 /// The polygons of a file that was read, and its patches as n by n quads each.

@@ -34,9 +34,9 @@ void add_up_to(double& velocity, double step, double limit) {
         velocity += step;
 }
 
-/// The time in which an undamped body goes as far as a damped one does in `seconds`. Each update
-/// keeps k of the velocity, then moves. So n updates move it by v (k + k^2 + ... + k^n) = v k (1 -
-/// k^n) / (1 - k).
+/// The time in which an undamped body goes as far as a damped one goes in `seconds`. Each update
+/// keeps the part k of the velocity, then moves. So n updates move it by v (k + k^2 + ... + k^n) =
+/// v k (1 - k^n) / (1 - k).
 double effective_time(double kept, double seconds) {
     return kept * (1 - std::pow(kept, seconds * l3d_book_rate)) / (1 - kept) / l3d_book_rate;
 }

@@ -112,9 +112,9 @@ public:
     camera_type& camera;
     /// The order in which polygons are drawn.
     l3d_draw_order order = l3d_draw_order::by_depth;
-    /// The look of surfaces drawn by depth: style, shade, lights, material, background, fog,
-    /// anti-aliasing and culling count. Lights are given in the left-handed world. At first they
-    /// are as in the book: one grey for each face, hard edges, on black, by one thread.
+    /// The look of surfaces drawn by depth. Its headlight and its rotation have no effect. Lights
+    /// are given in the left-handed world. At first they are as in the book: one grey for each
+    /// face, hard edges, on black, by one thread.
     l3d_polygon_settings surfaces{
         .shade = l3d_shade::flat, .background = {}, .antialias = false, .threads = 1};
     /// Whether objects stand still, so that only the camera moves.

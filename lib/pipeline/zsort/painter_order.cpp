@@ -80,7 +80,8 @@ struct l3d_painter_order::work_space {
     static constexpr std::size_t ahead = 16;
     /// The number of pieces that a worker takes at once: some 10^4 cycles at the least.
     static constexpr std::size_t chunk_pieces = 4096;
-    /// Marks a piece that names an item in place of a triangle. There can never be so many cuts.
+    /// Marks a piece that names an item in place of a triangle. It is the index of no cut, since
+    /// there can never be so many.
     static constexpr std::uint32_t of_item = l3d_painter_cut::last - 1;
 
     explicit work_space(l3d_workers& by)

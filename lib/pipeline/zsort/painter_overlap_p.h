@@ -34,8 +34,9 @@ struct front_parts {
 /// apart, and 2^17 times the rounding of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
-/// Whether the insides of two triangles meet, exactly. If not, they have no pixel in common: the
-/// fill rule takes a centre on an edge as if it lay a little to the right and below.
+/// Whether the insides of two triangles meet, exactly. If they do not, the triangles have no pixel
+/// in common. For the fill rule takes a centre on an edge as if it lay a little to the right and
+/// below.
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 

@@ -117,8 +117,8 @@ private:
     static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
 
     /// The entries that a worker finds for its share of the items, in the items' order, and their
-    /// tiles. The worker writes here often. So two shares lie neither in one cache line nor in a
-    /// pair of lines, since some processors fetch both lines of a pair.
+    /// tiles. The worker writes here often. So no two shares lie in one cache line, nor in one pair
+    /// of lines, since some processors fetch both lines of a pair.
     struct alignas(128) share_entries {
         std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
         std::size_t count = 0;                      ///< number of entries

@@ -69,7 +69,7 @@ public:
         return std::bit_cast<float>(hn::GetLane(hn::MinOfLanes(ints(), least)));
     }
 
-    /// The cells whose last painted member does not lie wholly in front of the depth `nearest`.
+    /// The cells whose last painted member is not wholly in front of the depth `nearest`.
     HWY_INLINE std::uint64_t not_before(float nearest) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)

@@ -15,8 +15,8 @@ namespace l3d_detail {
 /// the sort. Cells are those of painter_entry.
 struct cell_sight {
     std::uint64_t shown; ///< cells where all others are painted before it
-    /// Hidden cells where the last painted triangle does not lie wholly in front of this one, so
-    /// that the sort may be wrong there.
+    /// Hidden cells in which the sort may be wrong: their last painted triangle does not lie wholly
+    /// in front of this one.
     std::uint64_t doubtful;
 };
 

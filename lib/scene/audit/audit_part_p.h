@@ -70,10 +70,11 @@ struct patch_sheet {
     patch_place least{0, 0}, most{1, 1}; ///< corners of the rectangle
 };
 
-/// A triangle of a mesh; or the part of a patch over a triangle of parameters.
+/// A triangle of a mesh, or the part of a patch over a triangle of parameters.
 ///
-/// Each place (u, v) is within `off` of the place with the same weights in the flat triangle, so
-/// part and triangle are within `off` of each other. For a triangle of a mesh, off is 0.
+/// Each place (u, v) of a part is within `off` of the place of the flat triangle that has the same
+/// weights. So part and triangle are within `off` of each other. For a triangle of a mesh, off is
+/// 0.
 struct audit_part {
     using vector = l3d_vector<double, 3>;
     using place = patch_place;

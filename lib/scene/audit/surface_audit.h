@@ -46,7 +46,8 @@ public:
     /// The corners of a triangle.
     using triangle = std::array<vector, 3>;
 
-    /// The width of bounds that programs ask for, as a share of the diagonal of the model's box.
+    /// The width of bounds that programs usually ask for, as a share of the diagonal of the model's
+    /// box.
     static constexpr double usual_tolerance = 1e-4;
 
     /// Prepares a model. `tolerance` is the width that bounds should have.

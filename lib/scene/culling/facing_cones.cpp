@@ -76,9 +76,9 @@ void l3d_facing_cones::set(std::size_t block, const ball_and_cone& of) {
     sine_[block] = of.sine;
 }
 
-/// Every S of the ball is at most distance + radius away, and (S - from) . axis is at least that of
-/// the centre less the radius. A vector is within a right angle of the whole cone if its cosine
-/// with the axis exceeds the cone's sine.
+/// Tests the cone and the ball. Every S of the ball is at most distance + radius away, and (S -
+/// from) . axis is at least that of the centre less the radius. A vector is within a right angle of
+/// the whole cone if its cosine with the axis exceeds the cone's sine.
 unsigned l3d_facing_cones::away_from(const vector& from, double side) const {
     const double reach = slack * (std::abs(from[0]) + std::abs(from[1]) + std::abs(from[2]));
     // The test of the whole patch compares squares, since a root would be half of the work.

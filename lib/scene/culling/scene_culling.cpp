@@ -49,8 +49,8 @@ bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel
 /// Bound of the error of a balanced vertex's w, for a net with w from `least` to `most`.
 ///
 /// The vertex errs by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter and has two steps. f''
-/// <= 6 * 2 (most - least). Along u and along v, that is 0.0322 (most - least). Their common effect
-/// is below 0.001 of it.
+/// <= 6 * 2 (most - least). Errors along u and along v add up to 0.0322 (most - least). Their
+/// common effect is below 0.001 of it.
 double balance_of_w(double least, double most) {
     return (most - least) / 30;
 }

@@ -44,7 +44,7 @@ struct box_placing {
     const l3d_image_box& margin; ///< l3d_dice_view::margin of the part of the picture that matters
 };
 
-/// Places boxes [first, first + lanes); results from boxes.count() on mean nothing.
+/// Places the boxes from `first` to first + lanes - 1. Results beyond the last box have no meaning.
 ///
 /// Expects: first is a multiple of l3d_box_lanes::lanes.
 /// Cost:    some 190 operations a box, three of them divisions.

@@ -18,7 +18,8 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// Eight levels of Lambert's grey, as in l3d_patch_neighbours: two degrees.
+/// The angle from which a side is a crease: eight levels of Lambert's grey, as in
+/// l3d_patch_neighbours, which are two degrees.
 constexpr double least_angle = 8 / 229.5;
 
 /// A side of a piece, or a part of it: v = 0, u = 1, v = 1, u = 0, in the order in which one walks
@@ -90,8 +91,8 @@ bernstein_net curve_along(const bernstein_net& net, std::size_t number) {
     return result;
 }
 
-/// The surface's curve along the straight line between two places of parameters. With the part of
-/// the net between them, it is the diagonal, as B_i(t) B_j(t) is a multiple of B_(i+j)(t).
+/// The surface's curve above a straight line between two places of parameters. It is the diagonal
+/// of the net's part between them, since B_i(t) B_j(t) is a multiple of B_(i+j)(t).
 bernstein_net curve_between(const bernstein_net& net, const l3d_trim_place& a,
                             const l3d_trim_place& b) {
     const bernstein_net part = net.part(a[0], b[0], a[1], b[1]);
@@ -115,7 +116,7 @@ void for_sides_on(const l3d_trim_region& region, std::size_t along, double at, c
         }
 }
 
-/// Whether a piece extends to one of its sides, not only along edges of the model.
+/// Whether a piece reaches one of its sides with more than edges of the model.
 bool reaches(const image_piece& piece, const side& one) {
     bool result = !piece.is_trimmed;
     if (piece.is_trimmed)
@@ -126,7 +127,7 @@ bool reaches(const image_piece& piece, const side& one) {
     return result;
 }
 
-/// Sides at the same places, and whether each runs as the first one does.
+/// Sides at the same places. Each tells whether it runs in the direction of the first.
 struct met_sides {
     std::vector<side> sides;
     std::vector<bool> forward;

@@ -79,8 +79,8 @@ void add_product(const bernstein_net& a, const bernstein_net& b, double sign, be
         }
 }
 
-/// Divides by v, 1 - v, u or 1 - u as long as the polynomial vanishes there, as it does at a
-/// boundary that is a point. Then v B^(n-1)_j = (j + 1) / n B^n_(j+1).
+/// Divides by v, 1 - v, u or 1 - u as long as the polynomial vanishes where that factor does, as at
+/// a boundary that is a point. Source: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
 void divide_by_vanishing(bernstein_net& f) {
     constexpr double rounding = 0x1p-40; // the shear leaves far more at a contour along a boundary
     constexpr int most_times = 4;

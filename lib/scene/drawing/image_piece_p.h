@@ -133,9 +133,9 @@ struct image_piece {
     image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
                 const drawing_view& view);
 
-    /// Makes the region from these loops, as polygons, and returns the largest distance between
-    /// both. Where the piece reaches the near plane, that is no bound.
-    /// Units: pixels.
+    /// Makes the region of polygons that stand for these loops. Returns the largest distance
+    /// between polygons and loops, which is no bound where the piece reaches the near plane. Units:
+    /// pixels.
     double trim(std::span<const l3d_trim_loop> loops, double wanted, const drawing_view& view);
 
     image_place at(double u, double v) const;

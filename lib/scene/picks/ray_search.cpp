@@ -16,10 +16,10 @@ constexpr double margin = 0.125;
 /// The largest contraction with which Newton's operator proves a hit. Then the image of a part that
 /// holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
 constexpr double most_contraction = 0.08;
-/// Parts within this many errors of the ray are not split: neither half could be told to hold the
-/// hit.
+/// Parts within this many errors of the ray are not split, since it could not be told which half
+/// holds the hit.
 constexpr double blurred_errors = 16;
-/// Parts no larger than this, along u or along v, are not split that way.
+/// Parts that are no larger than this along u are not split along u, and so for v.
 constexpr double least_size = 0x1p-48;
 /// The most steps, far more than a ray needs unless it runs along a surface. Beyond it no part is
 /// split.

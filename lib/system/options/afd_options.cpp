@@ -310,7 +310,8 @@ l3d_camera l3d_afd_options::camera() const {
     return result;
 }
 
-/// The camera before --eye and --target: that of the file, or else the usual one.
+/// The camera as it is before --eye and --target change it: that of the file, or else the usual
+/// one.
 l3d_camera l3d_afd_options::asked_camera() const {
     l3d_camera result = camera_;
     if (!file_camera_.empty()) {

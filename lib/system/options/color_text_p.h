@@ -32,7 +32,7 @@ l3d_light_color read_light_color(const char* option, std::string_view text);
 /// or for levels that are not whole.
 std::optional<std::uint32_t> read_paint(std::string_view text);
 
-/// "; did you mean 'red'?" for a text that is almost a colour's name, else nothing.
+/// The text "; did you mean 'red'?" if `text` is almost a colour's name, else "".
 std::string meant_color(std::string_view text);
 
 /// All names of colours, with blanks between them.
