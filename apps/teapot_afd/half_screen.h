@@ -17,8 +17,8 @@ struct halves {
     int right_start; ///< first column of the right half
 
     /// Divides a picture of `whole` columns. Two or three columns stay free between the halves if
-    /// there are more than three in all. A single column serves as both halves. Expects: at least
-    /// one column.
+    /// there are more than three in all. A single column serves as both halves.
+    /// Expects: at least one column.
     explicit halves(int whole) : width(std::max(1, (whole - 2) / 2)), right_start(whole - width) {}
 
     int line_width() const { return std::max(0, right_start - width); }

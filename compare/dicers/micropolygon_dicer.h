@@ -35,7 +35,8 @@ int l3d_micropolygons_along(double length, int quads_a_pixel);
 class l3d_micropolygon_dicer {
 public:
     /// Sets the number of quads along a pixel. The paper has two, so that quads are half as large
-    /// as the distance of samples. Expects: >= 1.
+    /// as the distance of samples.
+    /// Expects: >= 1.
     explicit l3d_micropolygon_dicer(int quads_a_pixel = 2) : quads_a_pixel_(quads_a_pixel) {}
 
     /// Dices a patch and adds its polygons to `out`. Expects: l3d_needs_no_clipping(net, view).

@@ -22,8 +22,9 @@
 /// Failures are counted, and their pixels are left out. An iteration fails if it does not come to
 /// rest on the right side of the surface, and an edge fails if it has no partner. Folds whose
 /// silhouettes begin in a cusp are not found, since y has no extremum or saddle there. The paper
-/// proposes no remedy, so there is none here. Source: J. F. Blinn in Lane, Carpenter, Whitted,
-/// Blinn, Scan Line Methods for Displaying Parametrically Defined Surfaces, CACM 23, 1980.
+/// proposes no remedy, so there is none here.
+/// Source: J. F. Blinn in Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying
+///         Parametrically Defined Surfaces, CACM 23, 1980.
 class l3d_blinn_plotter {
 public:
     /// Draws a patch's pixels. Expects: l3d_needs_no_clipping(net, of.view).

@@ -38,7 +38,8 @@ void l3d_add_scan_edges(const l3d_image_curve& curve, l3d_scan_root from, l3d_sc
                         std::vector<l3d_scan_edge>& edges);
 
 /// Finds the crossing of an edge and a scan line; there always is one. Newton's iteration finds it,
-/// and halving takes over where the iteration would leave the edge. Expects: edge.meets(y).
+/// and halving takes over where the iteration would leave the edge.
+/// Expects: edge.meets(y).
 l3d_scan_crossing l3d_guarded_crossing(const l3d_scan_edge& edge, double y);
 
 /// The parameter of the crossing by Newton's iteration alone. It begins at `start`, the crossing

@@ -19,8 +19,9 @@
 ///
 /// A failure is an iteration that does not come to rest, an edge without partner, or a piece that
 /// keeps a third end of a silhouette after all cuts. A silhouette that meets no border of its piece
-/// is not found, and not counted. Source: T. Whitted, A Scan Line Algorithm for Computer Display of
-/// Curved Surfaces, SIGGRAPH 1978; Lane, Carpenter, Whitted, Blinn, CACM 23, 1980.
+/// is not found, and not counted.
+/// Source: T. Whitted, A Scan Line Algorithm for Computer Display of Curved Surfaces, SIGGRAPH
+///         1978; Lane, Carpenter, Whitted, Blinn, CACM 23, 1980.
 class l3d_whitted_plotter {
 public:
     /// Draws a patch's pixels. Expects: l3d_needs_no_clipping(net, of.view).

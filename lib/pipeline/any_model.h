@@ -30,8 +30,8 @@ L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
 using l3d_any_scene = std::variant<l3d_patch_scene, l3d_polygon_model>;
 
 /// Loads a model file as l3d_load_any_model does. A shape that stands at many places, as in an
-/// assembly, becomes one model with many instances, and takes memory once. Errors: as
-/// l3d_load_any_model.
+/// assembly, becomes one model with many instances, and takes memory once.
+/// Errors: as l3d_load_any_model.
 L3D_PUBLIC l3d_any_scene l3d_load_any_scene(const std::string& file,
                                             std::vector<std::string>* notes = nullptr);
 

@@ -20,7 +20,8 @@ L3D_PUBLIC std::vector<l3d_caption_row> l3d_lesson_keys(const std::string& dragg
 /// stop time, start again, and take hold of the world with the mouse.
 ///
 /// Pictures have a dark ground, or a black one if the canvas is classic. A subclass draws on top of
-/// the last picture, or clears it first. Lives: owns screen and rasterizer.
+/// the last picture, or clears it first.
+/// Lives: owns screen and rasterizer.
 class L3D_PUBLIC l3d_lesson : public l3d_pipeline_2d {
 public:
     /// A lesson on this canvas. Errors: as l3d_pipeline_2d.

@@ -195,15 +195,15 @@ class L3D_PUBLIC l3d_viewer_controls {
 public:
     /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. `reset` undoes the
     /// viewer's own changes of the view, other than those of the camera; it may be empty. `viewed`
-    /// answers questions about the picture. `font` has the letters of all panels. Expects: no key
-    /// is in two rows, those of this class included.
+    /// answers questions about the picture. `font` has the letters of all panels.
+    /// Expects: no key is in two rows, those of this class included.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
                         l3d_viewed viewed = {}, l3d_font font = {});
 
     /// Lets the eye turn around the target by this angle per frame. If time is measured, it turns
-    /// by this angle in each 1 / fps of a second. The first frame is not turned. Units: degrees;
-    /// frames a second.
+    /// by this angle in each 1 / fps of a second. The first frame is not turned.
+    /// Units: degrees; frames a second.
     void set_turntable(double degrees_per_frame, double fps) {
         turntable_degrees_ = degrees_per_frame * fps;
     }

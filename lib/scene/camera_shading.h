@@ -16,7 +16,8 @@ struct l3d_frame_lights {
 
 /// The light of a single lamp that goes with the eye. It shines over the right shoulder, as
 /// l3d_usual_light does in the programs' first view of the teapot. `lighting` gives the ambient
-/// light and the lamp's colour. Expects: camera.is_valid().
+/// light and the lamp's colour.
+/// Expects: camera.is_valid().
 l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
 
 /// The shading of one frame: the data on camera and light for a surface rasterizer.

@@ -70,7 +70,8 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
 /// The largest error a that outlines of smooth edges may have. With a tolerance of b, their bound
 /// is 1 / (1 / a + 1 / b): a twelfth of a pixel at the usual tolerance of a quarter. Measured
 /// outlines have a root mean square error of a sixth of this bound. The coverage of a pixel by 64
-/// samples errs by 0.73 / 64 of a pixel, which is nearly as much. Units: pixels.
+/// samples errs by 0.73 / 64 of a pixel, which is nearly as much.
+/// Units: pixels.
 inline constexpr double l3d_widest_outline = 0.125;
 
 /// The accuracy of a parallel projection, which is drawn in perspective from a far eye. Half of the

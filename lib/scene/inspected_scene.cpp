@@ -42,7 +42,8 @@ vector along(const std::array<vector, 3>& axes, const vector& direction) {
                                  l3d_dot(axes[2], direction)});
 }
 
-/// Rounds a number up to 1, 2 or 5 times a power of ten. Expects: a positive finite number.
+/// Rounds a number up to 1, 2 or 5 times a power of ten.
+/// Expects: a positive finite number.
 double rounded_up(double number) {
     const double power = std::pow(10.0, std::floor(std::log10(number)));
     for (const double step : {1.0, 2.0, 5.0})

@@ -39,9 +39,10 @@ struct L3D_PUBLIC l3d_measured_place {
 ///
 /// A curved model is measured on its exact pieces, not on the patches that approximate them. The
 /// measured place has the pick's parameters, so it lies at most l3d_patch_model::surface_error()
-/// beside the ray. Expects: a pick of this scene, which has not been changed since. Source:  the
-/// derivatives, as intervals; do Carmo, "Differential Geometry of Curves and Surfaces": the
-/// curvatures are H +- sqrt(H^2 - K) with mean H and Gaussian K.
+/// beside the ray.
+/// Expects: a pick of this scene, which has not been changed since.
+/// Source:  the derivatives, as intervals; do Carmo, "Differential Geometry of Curves and
+///          Surfaces": the curvatures are H +- sqrt(H^2 - K) with mean H and Gaussian K.
 L3D_PUBLIC l3d_measured_place l3d_measured(const l3d_patch_scene& scene, const l3d_pick& pick);
 
 #endif

@@ -170,10 +170,11 @@ public:
     /// The finest level of places and of normals; 0 if the model is not curved.
     int most_level() const;
     /// The bound of errors of places at a level; 0 if the model is not curved. It is known before
-    /// the level's patches are made. Expects: as at_level.
+    /// the level's patches are made.
+    /// Expects: as at_level.
     double error_at_level(int places, int normals) const;
-    /// A bound of the number of a level's patches. It is known before they are made. Expects: as
-    /// at_level.
+    /// A bound of the number of a level's patches. It is known before they are made.
+    /// Expects: as at_level.
     double patches_at_level(int places, int normals) const;
     /// The same curved model, with the patches that a region may show. Each is as fine as its depth
     /// asks for. Nothing if the region shows no patch.
@@ -188,8 +189,9 @@ public:
     double normal_target(int level) const;
 
     /// The same pieces as approximations of another surface. These errors become part of the bounds
-    /// of pictures. Expects: an error for each piece, finite and not negative. No errors at all say
-    /// that the pieces are the surface itself.
+    /// of pictures.
+    /// Expects: an error for each piece, finite and not negative. No errors at all say that the
+    ///          pieces are the surface itself.
     l3d_patch_model standing_for(std::span<const l3d_patch_error> errors) const;
 
     /// Whether its patches are the surface itself, not approximations of it.
@@ -205,7 +207,8 @@ public:
     /// inside of a patch of a curved model.
     double normal_error() const;
     /// Whether normal_error() holds for a patch. It does not where nothing is known about the
-    /// normals of the approximated surface. Expects: index < patches().size().
+    /// normals of the approximated surface.
+    /// Expects: index < patches().size().
     bool has_normal_error(std::size_t index) const;
 
     /// The sides that meet two patches of half the size, in the order of patches. A half of the

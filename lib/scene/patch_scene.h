@@ -289,10 +289,12 @@ public:
 
     /// Makes an instance transparent: a pixel mixes `opacity` of its light with the rest of the
     /// light that is seen without it. The instance itself shows its nearest surface alone. The
-    /// opacity lasts as long as a material of paint() would. Expects: an index of instances().
+    /// opacity lasts as long as a material of paint() would.
+    /// Expects: an index of instances().
     /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
-    /// most_transparent transparent instances; then nothing changes. Cost: a frame draws everything
-    /// in the instance's box twice; where the boxes of n transparent instances overlap, 2^n times.
+    ///          most_transparent transparent instances; then nothing changes.
+    /// Cost:    a frame draws everything in the instance's box twice; where the boxes of n
+    ///          transparent instances overlap, 2^n times.
     void set_opacity(std::size_t index, double opacity);
     /// Transparent instances that a scene may have. Where all overlap, 256 pictures are mixed.
     static constexpr std::size_t most_transparent = 8;

@@ -70,8 +70,8 @@ private:
 class L3D_PUBLIC l3d_report_writer {
 public:
     /// Opens the file of this name. If the name is -, lines go to the standard output: earlier
-    /// output stays, and the output of others may come in between. Errors: l3d_error(failure) that
-    /// names the file and the system's reason.
+    /// output stays, and the output of others may come in between.
+    /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
     l3d_report_writer(const l3d_report_writer&) = delete;
     l3d_report_writer& operator=(const l3d_report_writer&) = delete;

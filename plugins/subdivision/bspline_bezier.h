@@ -34,8 +34,8 @@ inline void reflect_at_boundaries(net& p, unsigned boundary) {
 /// The Bezier points of the middle one of a uniform B-spline's 3 x 3 squares of control points.
 ///
 /// Sums are in an order that does not depend on the direction in which a neighbour counts. So
-/// neighbours compute the same bits for their common side. Source: knot insertion; each Bezier
-/// point is a product of (1 4 1) / 6 and (2 1) / 3.
+/// neighbours compute the same bits for their common side.
+/// Source: knot insertion; each Bezier point is a product of (1 4 1) / 6 and (2 1) / 3.
 inline net bezier_of(const net& p) {
     const auto at = [&](int row, int column) {
         return p[static_cast<std::size_t>(4 * row + column)];

@@ -13,8 +13,8 @@
 namespace l3d_detail {
 
 /// Gives each triangle of painted models a name, by which rasterizers find its paint. A name is a
-/// number beyond those of the frame's materials. Lives: borrows the settings and the paints that it
-/// fills.
+/// number beyond those of the frame's materials.
+/// Lives: borrows the settings and the paints that it fills.
 class paint_gatherer {
 public:
     paint_gatherer(const l3d_polygon_settings& settings, std::size_t materials,

@@ -70,8 +70,8 @@ public:
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
     /// Lists the triangles of all parts one by one. Each tells which of its sides are sides of its
-    /// face. A clipped triangle has the outline of the part that is left. Expects: model and view
-    /// of the last make are still there.
+    /// face. A clipped triangle has the outline of the part that is left.
+    /// Expects: model and view of the last make are still there.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
     /// The ends of the parts in that list.

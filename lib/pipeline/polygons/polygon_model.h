@@ -133,7 +133,8 @@ public:
     /// A model of the shown faces in front of a plane. Faces that the plane passes through are cut,
     /// so a body is open there. Pictures are left out. Normals are made anew with the usual crease
     /// angle, unless the mesh has its own. The model keeps its box, and turns about the same
-    /// centre. Cost: as the constructor.
+    /// centre.
+    /// Cost: as the constructor.
     l3d_polygon_model cut(const l3d_plane<double>& plane) const;
 
     /// The faces' materials (l3d_polygon_mesh::look_of), each once; none if all are plain and no
@@ -256,7 +257,8 @@ struct L3D_PUBLIC l3d_patch_mesh {
 /// Patches with a common boundary have the same points on it, since these depend on the boundary's
 /// control points alone, in either direction. Two such points are one vertex, unless their normals
 /// differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left out.
-/// Expects: n >= 1. Errors: throws l3d_error(bad_input) for trimmed surfaces.
+/// Expects: n >= 1.
+/// Errors:  throws l3d_error(bad_input) for trimmed surfaces.
 L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 
 /// The polygons of a file that was read, and its patches as n by n quads each.

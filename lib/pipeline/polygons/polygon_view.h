@@ -81,7 +81,8 @@ public:
 
     /// Whether all planes of a group certainly show their fronts or, if `front` is false, their
     /// backs. The group has normals within `spread` of `axis` and points within `reach` of
-    /// `middle`. Expects: normals of length 1 or 0.
+    /// `middle`.
+    /// Expects: normals of length 1 or 0.
     bool all_face(const vector& axis, double spread, const vector& middle, double reach,
                   bool front) const;
 

@@ -33,8 +33,8 @@ std::uint8_t outcode(const clip_planes& planes, const homogeneous& h) {
 }
 
 /// Cuts a line at plane after plane; false if nothing is left. Each plane cuts at most one end: the
-/// end outside of it, whose code is then computed again. Source:  Cohen and Sutherland, in Newman,
-/// Sproull: Principles of Interactive Computer Graphics.
+/// end outside of it, whose code is then computed again.
+/// Source:  Cohen and Sutherland, in Newman, Sproull: Principles of Interactive Computer Graphics.
 bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned code_a,
           unsigned code_b) {
     for (std::size_t i = 0; i < planes.size() && (code_a | code_b) != 0; ++i) {

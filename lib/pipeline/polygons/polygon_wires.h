@@ -20,8 +20,8 @@ class l3d_polygon_wires {
 public:
     /// Makes one line for each side of a face that is not culled. It is cut where it reaches behind
     /// the near plane, beyond the far one, or out of the guard band. A side that two faces share
-    /// comes once, since a smooth line that is drawn twice looks thicker. Lives:   the lines until
-    /// the next call.
+    /// comes once, since a smooth line that is drawn twice looks thicker.
+    /// Lives:   the lines until the next call.
     std::span<const l3d_detail::wire> make(const l3d_polygon_model& model,
                                            const l3d_polygon_view& view, bool cull);
 

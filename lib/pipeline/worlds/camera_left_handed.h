@@ -18,9 +18,10 @@ inline constexpr double l3d_book_rate = 60;
 /// Motion is given per second, and damped: after a push the speed falls off exponentially. The
 /// distance flown in any time is the exact integral of the speed. So flights end in the same place
 /// at any frame rate. At l3d_book_rate they are the book's, except that the book turns by whole
-/// degrees. Shape: left-handed: right x up = forward, up x forward = right, forward x right = up;
-/// the book calls them VRI, VUP and VFW, and the place VRP. Units: world units, degrees, seconds; a
-/// turn is clockwise for a person at whom its axis points.
+/// degrees.
+/// Shape: left-handed: right x up = forward, up x forward = right, forward x right = up; the book
+///        calls them VRI, VUP and VFW, and the place VRP.
+/// Units: world units, degrees, seconds; a turn is clockwise for a person at whom its axis points.
 template <class T> class L3D_PUBLIC l3d_moveable {
 public:
     /// A place in the world.

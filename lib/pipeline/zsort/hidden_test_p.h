@@ -28,8 +28,9 @@ public:
 
     /// Tests the members of tiles, if the tiles know pixels. In each pixel it finds the item that
     /// is sorted last, and compares the others with it. If the sort is wrong in a tile, all of its
-    /// members need an order. Expects: items have lesser numbers than `numbers`. Returns: the
-    /// number of pairs compared.
+    /// members need an order.
+    /// Expects: items have lesser numbers than `numbers`.
+    /// Returns: the number of pairs compared.
     std::int64_t find(const painter_tiles& tiles, const painter_pairs& pairs, std::size_t numbers,
                       l3d_workers& workers);
 

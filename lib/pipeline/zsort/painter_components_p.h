@@ -40,7 +40,8 @@ public:
     /// `is_free(node)` tells whether a node needs no greater node. `needed(node, in_turn, out)`
     /// adds to `out` the nodes that must come before a node. It may leave out nodes that were
     /// emitted. If `in_turn` is true, all lesser nodes are emitted. The nodes of a component are in
-    /// rising order. Expects: nodes by rising keys, then numbers; numbers less than `numbers`.
+    /// rising order.
+    /// Expects: nodes by rising keys, then numbers; numbers less than `numbers`.
     template <class Free, class Needed, class Emit>
     void walk(std::span<const l3d_sort_item> nodes, std::size_t numbers, const Free& is_free,
               const Needed& needed, const Emit& emit) {

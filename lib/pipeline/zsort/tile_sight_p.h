@@ -23,8 +23,9 @@ struct cell_sight {
 /// For each cell, row by row, the index of the member that is painted there last; -1 if none is.
 using tile_fronts = std::array<std::int32_t, 64>;
 
-/// Finds the members in front in a tile, and the sight of each member. Shape:   `of` has as many
-/// elements as there are members. Expects: members by rising numbers.
+/// Finds the members in front in a tile, and the sight of each member.
+/// Shape:   `of` has as many elements as there are members.
+/// Expects: members by rising numbers.
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of);
 
 } // namespace l3d_detail

@@ -134,8 +134,8 @@ struct image_piece {
                 const drawing_view& view);
 
     /// Makes the region of polygons that stand for these loops. Returns the largest distance
-    /// between polygons and loops, which is no bound where the piece reaches the near plane. Units:
-    /// pixels.
+    /// between polygons and loops, which is no bound where the piece reaches the near plane.
+    /// Units: pixels.
     double trim(std::span<const l3d_trim_loop> loops, double wanted, const drawing_view& view);
 
     image_place at(double u, double v) const;
@@ -169,7 +169,8 @@ struct flat_image {
 
 /// Whether to halve a net along u rather than along v, so that halves are nearer to parallelograms.
 /// It chooses the direction in which the net bends more, or the longer one if twist is larger than
-/// both bends. Expects: all in front of the near plane.
+/// both bends.
+/// Expects: all in front of the near plane.
 bool bends_along_u(const bernstein_net& net);
 
 /// The distance of a place in the picture from a chord.

@@ -19,7 +19,8 @@ namespace l3d_detail {
 class line_of_sight {
 public:
     /// How much nearer than a place a surface must be to hide it. The place's line may lie on a
-    /// surface that is not. Units: pixels of depth.
+    /// surface that is not.
+    /// Units: pixels of depth.
     static constexpr double least_gap = 0.25;
     /// The same for pieces whose sides the line follows.
     static constexpr double least_gap_of_sides = 2;

@@ -18,8 +18,8 @@
 namespace {
 
 /// Reads N numbers at the beginning of a list, and returns the text after the comma that follows
-/// them. That text may be a colour; it is empty without a comma. Errors:  nothing for fewer
-/// numbers, or for a comma with nothing behind it.
+/// them. That text may be a colour; it is empty without a comma.
+/// Errors:  nothing for fewer numbers, or for a comma with nothing behind it.
 template <std::size_t N>
 std::optional<std::string_view> read_before_color(std::string_view text,
                                                   std::array<double, N>& numbers) {

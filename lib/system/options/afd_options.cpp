@@ -50,7 +50,8 @@ l3d_camera seen_from_above(l3d_camera camera) {
     return camera;
 }
 
-/// Refuses options that have no effect in their combination. Errors:  l3d_error(usage).
+/// Refuses options that have no effect in their combination.
+/// Errors:  l3d_error(usage).
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
     const bool is_light = l3d_is_light(asked.shade), is_none = asked.background.is_none();

@@ -28,8 +28,8 @@ std::optional<std::array<double, 3>> read_color(std::string_view text);
 /// Errors:  l3d_error(usage) that names the option and its value.
 l3d_light_color read_light_color(const char* option, std::string_view text);
 
-/// Reads a colour as a pixel word, 0x00RRGGBB. Errors: nothing for a text that read_color refuses,
-/// or for levels that are not whole.
+/// Reads a colour as a pixel word, 0x00RRGGBB.
+/// Errors:  nothing for a text that read_color refuses, or for levels that are not whole.
 std::optional<std::uint32_t> read_paint(std::string_view text);
 
 /// The text "; did you mean 'red'?" if `text` is almost a colour's name, else "".

@@ -42,7 +42,8 @@ public:
     l3d_patch_scene scene(const l3d_patch_scene& whole) const;
 
     /// Applies --opacity alone to a scene: for a viewer whose list of parts serves the other
-    /// options. Errors:  l3d_error(usage) as scene().
+    /// options.
+    /// Errors:  l3d_error(usage) as scene().
     l3d_patch_scene scene_by_opacity(const l3d_patch_scene& whole) const;
     /// Makes a list of parts hide and colour those that --color, --hide and --show-only name.
     /// Errors:  as applied().
@@ -54,8 +55,8 @@ public:
     /// Errors:  l3d_error(usage) that names the option, for a name that is no part; it lists the
     ///          parts.
     l3d_patch_model applied(const l3d_patch_model& model) const;
-    /// Applies the same options to a model of polygons. Errors: as for patches; l3d_error(usage)
-    /// also for --opacity.
+    /// Applies the same options to a model of polygons.
+    /// Errors:  as for patches; l3d_error(usage) also for --opacity.
     l3d_polygon_model applied(const l3d_polygon_model& model) const;
 
 private:
