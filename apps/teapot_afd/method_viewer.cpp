@@ -97,8 +97,8 @@ void method_viewer::paint_surfaces() {
         paint_errors();
 }
 
-/// Colours pixels by their measured errors: surfaces, and outlines whose error was measured. Smooth
-/// edges end where their pixels' centres do, since only these are measured.
+/// Colours pixels by their measured errors: surfaces, and outlines whose error was measured. A
+/// pixel is coloured if a surface covers its centre, since errors are measured only there.
 void method_viewer::paint_errors() {
     constexpr std::uint32_t not_measured = 0x00606060;
     const std::vector<float> distances = this->distances();

@@ -31,7 +31,8 @@ class l3d_pixel_boxes;
 /// Switches that make a frame do work that it could skip; the picture is the same, or as good. Only
 /// benchmarks set them, to measure what each rule saves.
 struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
-    /// Lambert: a unit normal in each pixel, even where a plane of levels would do.
+    /// Whether mode lambert makes a unit normal in each pixel, even where levels could be
+    /// interpolated.
     bool unit_normals = false;
     bool drawing = false; ///< draws a frame again, even if nothing changed
 

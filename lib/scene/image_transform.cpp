@@ -28,8 +28,9 @@ double steady_bound(double value) {
 /// pieces, at 3 midpoints each.
 constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
 
-/// Bound of the turn of the picture's axes by rounding. The line of sight and its product with `up`
-/// are off by 4 ulps, over the sine between the line of sight and `up`.
+/// Rounding turns the picture's axes to the right and down by at most this, divided by the sine
+/// between the line of sight and `up`. It is 4 ulps, for the line of sight and its product with
+/// `up`.
 constexpr double turning = 4 * 0x1p-53;
 
 /// Bound of the distance of any control point from a place: the sum of distances along the axes.

@@ -134,7 +134,7 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
     std::copy_n(turned_normals.begin(), rest, to.normals.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-/// The place of a triangle's box against the window.
+/// The place of a triangle's box relative to the window.
 enum class box_place { outside, subpixel, seen, clipped };
 
 #if HWY_TARGET == HWY_SCALAR

@@ -30,8 +30,8 @@ vector any_across(const vector& unit) {
     return l3d_normalized(axis - unit * l3d_dot(axis, unit));
 }
 
-/// A bound of a polynomial between two parameters. The polynomial has these Bezier coefficients.
-/// The bound is the largest of the coefficients on that interval, which are blossoms.
+/// A bound of a polynomial between two parameters: the largest of its Bezier coefficients for that
+/// interval. They are blossoms of the given coefficients.
 template <std::size_t count>
 double most_between(const std::array<double, count>& of, double from, double to) {
     double result = 0;

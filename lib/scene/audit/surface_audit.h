@@ -36,7 +36,7 @@ struct L3D_PUBLIC l3d_mesh_audit {
 
 /// Measures distances to the trimmed pieces of a model, from below and from above.
 ///
-/// Distances have no sign: neither orientation nor closedness of mesh and surface count.
+/// Distances have no sign. So mesh and surface may be open, and may turn either side outwards.
 /// Lives: as long as it is needed; it shares the model's contents.
 /// Units: all lengths are in the model's unit.
 class L3D_PUBLIC l3d_surface_audit {

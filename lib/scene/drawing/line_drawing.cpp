@@ -30,11 +30,11 @@ using namespace l3d_detail;
 /// shear and for rounding.
 constexpr double chord_share = 0.5, trim_share = 0.25, joint_share = 0.25;
 
-/// Length in pixels below which a stretch becomes like its neighbours.
+/// A stretch that is shorter becomes seen or hidden as its neighbours are. Units: pixels.
 constexpr double sliver = 0.75;
 
-/// Distance of samples along a stretch, in pixels. A line that passes through a surface is found if
-/// the surface hides so much of it.
+/// Distance of samples along a stretch. A line that passes through a surface is certainly found if
+/// the surface hides a stretch as long as this. Units: pixels.
 constexpr double sample_distance = 32;
 
 /// The distance of the first and last sample of a long stretch from its ends. Units: pixels.
