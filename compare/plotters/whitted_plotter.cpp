@@ -103,8 +103,8 @@ void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powe
     }
 }
 
-/// Adds a silhouette as a cubic from end to end. It has the silhouette's directions there, (-J_v,
-/// J_u), with the length between the ends.
+/// Adds a silhouette as a cubic from end to end. At its ends it has the silhouette's direction,
+/// (-J_v, J_u). These tangents are as long as the distance of the ends.
 void l3d_whitted_plotter::add_silhouette(const l3d_scan_piece& powers,
                                          const std::vector<l3d_border_turn>& turns) {
     const l3d_scan_root &from = turns[0].root, &to = turns[1].root;

@@ -202,9 +202,9 @@ public:
     double surface_error() const;
     /// The same for one patch. Expects: index < patches().size().
     double surface_error(std::size_t index) const;
-    /// Bound of the distance between unit normals of the patches and of that surface, at the same
-    /// parameters; 0 for models without surface_error(). It is infinite where a normal vanishes
-    /// inside of a patch of a curved model.
+    /// Bound of the distance between unit normals of the patches and those of the surface that they
+    /// approximate, at the same parameters. It is 0 for models without surface_error(), and
+    /// infinite where a normal vanishes inside of a patch of a curved model.
     double normal_error() const;
     /// Whether normal_error() holds for a patch. It does not where nothing is known about the
     /// normals of the approximated surface.

@@ -13,8 +13,8 @@ namespace {
 
 using vector = l3d_facing_cones::vector;
 
-/// Coefficients below this may be nothing but rounding (l3d_normal_columns): they have no
-/// direction.
+/// Coefficients below this have no direction, since they may be nothing but rounding
+/// (l3d_normal_columns).
 constexpr double no_direction = 0x1p-40;
 
 /// Margin for the rounding of some thirty operations on doubles, relative to the distances in them.

@@ -104,8 +104,9 @@ private:
         extent where;
         std::uint32_t instance, patch, matrix;
     };
-    /// An entry of the queue: a place in instances_ or patches_, and above it the bits of
-    /// nearest_w. Floats from 0 up are in the order of their bits.
+    /// An entry of the queue, which an integer sort puts in order. The upper bits are those of
+    /// nearest_w, since floats from 0 up are in the order of their bits. The lower ones are an
+    /// index in instances_ or patches_.
     using ticket = std::uint64_t;
 
     static ticket ticket_of(const extent& where, std::size_t at);
