@@ -32,7 +32,7 @@
 
 namespace {
 
-/// A row of the table. Those without a resolution have most = 0.
+/// A row of the table. Methods without a resolution have most = 0.
 struct method_row {
     const char* name;
     l3d_method method;
@@ -40,11 +40,11 @@ struct method_row {
     int usual = 0, least = 0, most = 0;
 };
 
-/// Points or quads along a pixel: with 16, each pixel has some thousand of them.
+/// The most points or quads along a pixel. With 16, a pixel has some thousand of them.
 constexpr int most_a_pixel = 16;
 
-/// 1024 x 1024 quads of fd are 2^20 for each patch. With 1024 cells along each axis, a teapot fills
-/// 4 million in 600 MB of bricks.
+/// The methods, and the limits of their resolutions. 1024 x 1024 quads of fd are 2^20 for each
+/// patch. With 1024 cells along each axis, a teapot fills 4 million in 600 MB of bricks.
 constexpr std::array<method_row, 13> rows{{
     {"afd", l3d_method::afd, true, true, true},
     {"fd", l3d_method::fd, true, true, false, 0, 1, 1024},

@@ -30,10 +30,12 @@ enum class l3d_method {
 /// A method and its parameters.
 struct l3d_method_choice {
     l3d_method method = l3d_method::afd;
-    int resolution = 0; ///< tessellation, fd: quads along a patch (fd: 0 is the tolerance's
-                        ///< choice); voxels: cells along the model; isocurves, kept and
-                        ///< micropolygons: points or quads along a pixel
-    l3d_arithmetic arithmetic = l3d_real_arithmetic(); ///< for afd (but 32-bit fixed) and fd
+    /// The number in the method's name: quads along a patch for tessellation and fd, cells along
+    /// the model for voxels, points or quads along a pixel for isocurves, kept and micropolygons. 0
+    /// for fd lets the tolerance choose.
+    int resolution = 0;
+    /// The numbers that fd and afd walk in. afd has no fixed_16_16.
+    l3d_arithmetic arithmetic = l3d_real_arithmetic();
 
     /// The name on the command line: "fd", "tessellation:16".
     std::string name() const;

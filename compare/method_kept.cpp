@@ -14,8 +14,8 @@
 
 namespace {
 
-/// The factor by which a grid is diced finer than necessary, and the factor at which a coarser one
-/// replaces it.
+/// The factor by which a grid is diced finer than necessary, and the factor by which it is too fine
+/// to be kept.
 constexpr double headroom = 1.25, too_fine = 4;
 
 /// The most cuts of a patch, as in l3d_micropolygon_dicer.
@@ -41,7 +41,8 @@ void l3d_kept_micropolygons::draw(const l3d_method_patch& patch, const l3d_dice_
     counts.bound_px = std::numeric_limits<double>::infinity();
 }
 
-/// Cuts along u first, whichever way is longer now, so that the next frame has the same pieces.
+/// Draws a piece by a kept grid, or dices it. A piece is cut along u first, whichever side is
+/// longer now, so that the next frame has the same pieces.
 void l3d_kept_micropolygons::visit(const l3d_patch_part& p, task& of) {
     if (p.depth > 0 && l3d_outside(p.net.points, of.view.margin(), of.view.near, of.view.far))
         return;

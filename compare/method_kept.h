@@ -59,8 +59,8 @@ private:
     void visit(const l3d_patch_part& p, task& of);
     kept_grid* find(const l3d_patch_part& p) const;
 
-    /// The grids that earlier frames have kept for parts of a piece: none; some narrower along u;
-    /// or some only shorter along v.
+    /// The first grid found that earlier frames have kept for a part of a piece. There is none, or
+    /// it is narrower than the piece along u, or only shorter along v.
     enum class parts_kept { none, narrower, shorter };
     parts_kept parts_inside(const l3d_patch_part& p) const;
     void dice(kept_grid& grid, const l3d_method_patch& patch, int steps_u, int steps_v);
@@ -71,14 +71,14 @@ private:
     l3d_normal_columns columns_;
 };
 
-/// Draws micropolygons that are diced once and transformed in each frame, until their size no
-/// longer fits. A piece is diced a quarter finer than it must be, so that its image may grow for a
-/// while.
+/// Draws micropolygons that are diced once and then only transformed in each frame, until their
+/// size no longer fits. A piece is diced a quarter finer than it must be, so that its image may
+/// grow for a while.
 ///
 /// A picture also depends on the frames before it, since kept grids may be finer than new ones.
 /// Pieces meet without edge polylines, as in the paper, so there is no bound. If an instance moves,
-/// its grids are diced anew. Grids of parts stay until one grid for the whole piece would have half
-/// of a grid's size.
+/// its grids are diced anew. Grids of parts of a piece stay until one grid for the whole piece
+/// would have at most half of a grid's size.
 /// Cost:    23 ns a quad with filling in a frame that dices nothing; 63 ns by
 ///          l3d_micropolygon_dicer. Some 53 bytes a quad.
 /// Source:  Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987, with

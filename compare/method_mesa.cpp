@@ -22,9 +22,9 @@ namespace {
 
 using namespace l3d_detail;
 
-// Depth is near / w: all bits of reciprocal depth are good, nearer is more, and everything before
-// the near plane is clipped. 1.2e-38 is a little more than the least float with all its bits: a
-// zero normal then has cosine 0.
+// Depth is near / w. So all bits of reciprocal depth are good, nearer is more, and everything in
+// front of the near plane is clipped. 1.2e-38 is a little more than the smallest float with all its
+// bits. With it, the cosine of a zero normal is 0.
 const mesa_target::program_text smooth_surfaces{.vertex = R"(#version 120
         attribute vec3 position;
         attribute vec3 normal;
@@ -62,7 +62,7 @@ struct vertex {
 /// triangles for a patch.
 constexpr int coarseness = 4, most_quads = 256;
 
-/// The steps with which two triangles a cell keep the tolerance all over a net.
+/// The number of steps along a net with which two triangles a cell keep the tolerance everywhere.
 int steps_of(const l3d_image_patch& net, const l3d_dice_view& view) {
     const l3d_image_box seen = l3d_image_box_of(net.points).intersected(view.margin());
     if (seen.empty())
@@ -184,8 +184,8 @@ void method_mesa::set_shading(const l3d_shading& shading) {
         gl.Uniform3f(target_.uniform(name), (*value)[0], (*value)[1], (*value)[2]);
 }
 
-/// Positions on mesa_target's viewport, and z = 2 near - w, so that z / w runs from 1 at the near
-/// plane to -1.
+/// Sets the matrix that takes a model to the viewport of mesa_target. z is 2 near - w, so that z /
+/// w runs from 1 at the near plane to -1.
 void method_mesa::set_placement(const l3d_method_frame& frame, const l3d_patch_instance& instance) {
     const mesa_gl& gl = target_.gl();
     const l3d_matrix<double> m = frame.to_image * instance.placement();

@@ -7,9 +7,9 @@
 
 #include <memory>
 
-/// Draws as a program does that leaves curves to GL. Each patch is n x n quads of two triangles, in
-/// world coordinates and in GL's memory. A frame sends GL a few matrices, and reads the picture
-/// back.
+/// Makes a method that draws as a program does that leaves curves to GL. Each patch is n x n quads
+/// of two triangles, in world coordinates and in GL's memory. A frame sends GL a few matrices, and
+/// reads the picture back.
 ///
 /// n is the number for which the error bound of triangles keeps the tolerance in this view. It is
 /// rounded up to a multiple of 4, so that a turning model seldom needs new meshes. The time that

@@ -29,7 +29,7 @@ public:
     ///          that lacks a wanted feature.
     l3d_afd_settings settings(const l3d_afd_options& afd) const;
 
-    /// The method asked for, else the usual one, if there is any.
+    /// The method that the user asked for, else the usual one, if there is any.
     /// Errors:  l3d_error(usage) for an unknown method.
     std::optional<l3d_method_choice> choice() const;
 

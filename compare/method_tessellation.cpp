@@ -42,7 +42,7 @@ l3d_patch_mesh mesh_of(const l3d_patch_scene& scene, int n) {
     return all;
 }
 
-/// The number of each instance's first patch, of all in the scene.
+/// The number of each instance's first patch among all patches of the scene.
 std::vector<std::size_t> first_patches_of(const l3d_patch_scene& scene) {
     std::vector<std::size_t> firsts;
     std::size_t first = 0;
@@ -88,8 +88,9 @@ double l3d_tessellation_bound(const l3d_image_patch& net, const l3d_dice_view& v
            accuracy.drawn_error(l3d_vertex_accuracy::in_front + depth_error / accuracy.w_low);
 }
 
-/// Counts patches by the same proofs and bound as all methods do. Polygons of patches that are left
-/// out here are left out one by one. In mode `error` each patch is a part in its bound's colour.
+/// Counts patches by the same proofs and the same bound as all methods do. A patch that is left out
+/// here still has its polygons, each of which is left out by itself. In mode `error` each patch is
+/// a part in its bound's colour.
 void l3d_method_tessellation::count_patches(const l3d_method_frame& frame) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     counts_ = {};

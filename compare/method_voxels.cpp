@@ -20,8 +20,8 @@ namespace {
 using vector = l3d_patch_model::vector;
 using l3d_detail::stopwatch;
 
-/// Points half a cell apart along both parameters meet every cell that the surface passes through
-/// by more than a corner.
+/// The number of points for each cell along both parameters. So they meet every cell that the
+/// surface passes through by more than a corner.
 constexpr double points_per_cell = 2;
 
 /// The most steps of a patch, along each parameter; no patch in the cube needs more.
@@ -30,8 +30,8 @@ constexpr int most_steps = 1 << 13;
 /// A rim of cells around the scene, so that nothing is outside by a rounding.
 constexpr int rim = 1;
 
-/// Steps so that points are half a cell apart: the derivative of a cubic is three times a mean of
-/// the net's differences.
+/// The number of steps that puts points half a cell apart. The derivative of a cubic is three times
+/// a mean of the net's differences.
 int steps_of(const l3d_patch_model::patch& p, bool along_u) {
     double longest = 0;
     for (int line = 0; line < 4; ++line)
@@ -43,7 +43,7 @@ int steps_of(const l3d_patch_model::patch& p, bool along_u) {
     return std::clamp(static_cast<int>(std::ceil(3 * longest * points_per_cell)), 1, most_steps);
 }
 
-/// The camera's place: the point whose x, y and w are 0. (Cramer's rule.)
+/// The camera's place: the point whose x, y and w are 0. Source: Cramer's rule.
 vector eye_of(const l3d_matrix<double>& m) {
     const auto row = [&](int r) { return vector(m(r, 0), m(r, 1), m(r, 2)); };
     const vector a = row(0), b = row(1), c = row(3);
@@ -137,7 +137,7 @@ void l3d_method_voxels::do_draw(const l3d_method_frame& frame, l3d_stage_times& 
     times.raster += looking.milliseconds();
 }
 
-/// Rays are scaled so that one unit of t is one of w.
+/// Follows the rays of a row of pixels. They are scaled so that one unit of t is one of w.
 void l3d_method_voxels::look_along(int row, const l3d_method_frame& frame, const vector& eye,
                                    l3d_point_canvas& canvas) const {
     const auto& m = frame.to_image;

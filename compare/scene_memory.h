@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <vector>
 
-/// Remembers the models of a scene, with their placements and materials, for data that is made once
-/// and kept.
+/// Remembers the models of a scene, with their placements and materials. So a method knows whether
+/// data that it made of the scene are still right.
 ///
 /// Lives: shares the models, so no other model can come to the address of one that is remembered.
 class l3d_scene_memory {

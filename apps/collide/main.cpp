@@ -22,7 +22,7 @@ constexpr double step = 1.0 / 60; // seconds
 /// A coloured body that flies, tumbles, and glows for a moment after a hit.
 class body final : public l3d_object {
 public:
-    /// `is_painted`: the faces' colours already contain the light.
+    /// `is_painted` tells that the faces' colours already contain the light.
     body(l3d_polygon_mesh mesh, std::uint32_t color, bool is_painted, const vector& place,
          const vector& turn)
         : place_(place), turn_(turn), color_(color), is_painted_(is_painted),
@@ -37,7 +37,7 @@ public:
     void push(const vector& change) { velocity_ += change; }
     void glow() { glow_ = 1; }
 
-    /// Moves the body by a step of time. The pull to the centre grows with the distance, as a
+    /// Moves the body by a step of time. A pull to the centre grows with the distance, as a
     /// spring's.
     void fly() {
         constexpr double pull = 0.6, fading = 0.94;

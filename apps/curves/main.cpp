@@ -45,7 +45,7 @@ template <class T> std::vector<double> walked(const numbers& b, int n) {
     return result;
 }
 
-/// A walk, adaptive or in equal steps: how long its steps are, and how far off they end.
+/// A walk, adaptive or in equal steps, and its measurements.
 struct walk_seen {
     l3d_step_counts counts;
     std::vector<l3d_point_2d> places; ///< both ends of all steps
@@ -71,7 +71,8 @@ double at_parameter(const numbers& b, double t) {
 template <class T> walk_seen adaptive(const numbers& x, const numbers& y) {
     constexpr int first = 4, finest = 12;
     const auto build = [](const numbers& b) {
-        numbers on_grid = b; // values that 16.16 and whole numbers hold
+        // The control points, rounded to values that 16.16 and whole numbers hold.
+        numbers on_grid = b;
         for (double& value : on_grid)
             value = std::round(64 * value) / 64;
         return l3d_forward_difference<T, 3>::build(on_grid, 1 << first);
@@ -150,13 +151,15 @@ public:
 
 private:
     using fixed_16 = l3d_fixed<std::int32_t, 16>; ///< 32 bits, half of them after the point
-    /// Whole numbers: a grid of 2^-6 pixel, and 3 bits for each of 12 halvings.
+    /// The whole numbers in which Klassen's method walks: a grid of 2^-6 pixel, and 3 bits for each
+    /// of 12 halvings.
     using whole_42 = l3d_fixed<std::int64_t, 42>;
 
     static constexpr std::size_t none = 4;
     static constexpr int steps_at_first = 24, most_steps = 512;
-    /// Shares of width and height, so that handles stay in a window of another size. They leave
-    /// room for the numbers and the caption above, and for magnifier and bars below.
+    /// The places of the control points at first, as shares of width and height, so that handles
+    /// stay in a window of another size. They leave room for the numbers and the caption above, and
+    /// for magnifier and bars below.
     static constexpr std::array<l3d_point_2d, 4> places_at_first{
         {{0.06, 0.38}, {0.3, 0.82}, {0.6, 0.34}, {0.94, 0.45}}};
     static constexpr std::uint32_t exact_color = 0x0060c0ff, fixed_color = 0x00ff5040,
@@ -223,7 +226,7 @@ private:
         }
         r.draw_path(l3d_stroked(fixed, {.width = u, .join = l3d_join::round}),
                     {.color = fixed_color});
-        // Copied before the marks, which would hide the red line.
+        // The pixels are copied before the marks are drawn, which would hide the red line.
         l3d_image seen = magnified_ ? around(r, {fixed_x[worst], fixed_y[worst]}) : l3d_image();
         r.draw_path(steps, {.color = step_color});
         for (const l3d_point_2d& handle : p)
@@ -294,8 +297,8 @@ private:
     }
 
     /// The factor on thin lines and letters: 1 in windows of 480 x 320 pixels. In larger windows it
-    /// grows more slowly than the window. On a fine display sizes count in units of its text, so
-    /// that windows look as they do elsewhere.
+    /// grows more slowly than the window. On a fine display, sizes are in units of the display's
+    /// text, so that windows look as they do elsewhere.
     double unit() {
         const double dots = std::max(1.0, screen().text_scale());
         const double larger = std::min(size().width / 480.0, size().height / 320.0) / dots;
@@ -428,7 +431,8 @@ private:
         return {text.data(), end.ptr};
     }
 
-    /// The doublings that Klassen's way needs: it takes 2^doublings steps, here at least `steps`.
+    /// The number of doublings by Klassen's method for `steps` steps or more. The method takes
+    /// 2^doublings steps.
     static int doublings_for(int steps) {
         int doublings = 0;
         while (1 << doublings < steps)
@@ -436,7 +440,8 @@ private:
         return doublings;
     }
 
-    /// The largest error of the whole numbers, which comes from rounding the control points alone.
+    /// The largest error of the walk in whole numbers. It comes from rounding the control points
+    /// alone.
     static double whole_error(const numbers& x, const numbers& y, int doublings) {
         constexpr double lattice = 256; // parts of a pixel
         const auto offs = [&](const numbers& b) {

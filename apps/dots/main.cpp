@@ -16,7 +16,7 @@ namespace {
 
 using point = l3d_point<l3d_real>;
 
-/// The dots: where they start, and how they move. Units: per update of the book.
+/// A kind of dots: where they start, and how they move. Units: per update of the book.
 class dot_kind {
 public:
     dot_kind() = default;
@@ -41,7 +41,8 @@ class runway final : public dot_kind {
     }
     void move(point& dot, l3d_random&) const override {
         dot += point::of(-5, 0, 0).from_origin;
-        if (l3d_to_double(dot[0]) <= -200) // ten columns of 40 further right, where there is room
+        // Begins again ten columns of 40 further right, where there is room.
+        if (l3d_to_double(dot[0]) <= -200)
             dot += point::of(400, 0, 0).from_origin;
     }
 };
@@ -101,7 +102,7 @@ private:
         eye_ += point::of(-right * unit, down * unit, 0).from_origin;
     }
 
-    /// The eye looks along z. It sees 61.6 degrees, the book's 1 / tan 50.
+    /// Draws the dots. The eye looks along z. It sees 61.6 degrees, the book's 1 / tan 50.
     void draw_lesson(l3d_rasterizer_2d& rasterizer) override {
         l3d_camera_left_handed<l3d_real> camera(size());
         camera.fovx *= 2;

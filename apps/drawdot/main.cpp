@@ -49,7 +49,7 @@ private:
         line = {line.x0, line.y0, static_cast<int>(x_), static_cast<int>(y_)};
     }
 
-    /// Moves the dot to the pointer, from where it goes on.
+    /// Puts the dot where the pointer is. From there it goes on.
     void drag(int x, int y, int, int) override {
         x_ = x;
         y_ = y;
@@ -70,7 +70,7 @@ private:
         draw_box(rasterizer, {last.x1, last.y1, last.x1, last.y1}, 1.5 * pen, 0xffffff);
     }
 
-    /// Draws all pixels within a distance of an upright or level line.
+    /// Draws all pixels within a distance of an upright or horizontal line.
     static void draw_box(l3d_rasterizer_2d& rasterizer, const l3d_line_2d& line, double reach,
                          std::uint32_t color) {
         const auto [left, right] = std::minmax(line.x0, line.x1);

@@ -122,7 +122,8 @@ int main(int argc, char** argv) {
             program, afd, program.create_canvas(afd.model_file().empty() ? "" : afd.model_title()),
             scene, camera, settings);
         if (!afd.places_camera()) {
-            // From some 24 degrees above: the front models do not hide those behind them.
+            // The camera looks from some 24 degrees above, so that the front models do not hide
+            // those behind them.
             camera.eye = camera.target + l3d_upright(camera.up).at(0.15, 0.45, 1.0);
             pipeline.controls().set_home([&] {
                 return l3d_framed(camera, pipeline.screen().pixels().size(),

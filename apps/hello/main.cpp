@@ -124,7 +124,8 @@ private:
                 events_.empty() ? "no event yet" : events_.back(), 0x00FF80, scale);
     }
 
-    /// The built-in font has capitals of seven dots below an empty one, and an em of ten.
+    /// Writes a text with dots of a size. The built-in font has capitals of seven dots below an
+    /// empty one, and an em of ten.
     void say(l3d_rasterizer_2d& rasterizer, int x, int y, const std::string& text,
              std::uint32_t color, int dot) const {
         font_.draw(rasterizer, x, y - dot, text, color, 10 * dot);

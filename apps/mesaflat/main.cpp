@@ -20,7 +20,7 @@ private:
     }
 
     void draw_at(l3d_rasterizer_2d& rasterizer, int x, int y, std::uint32_t color) override {
-        draw_from(rasterizer, x - 57, y - 37, color); // the mean of its corners
+        draw_from(rasterizer, x - 57, y - 37, color); // (57, 37) is the mean of its corners
     }
 
     static void draw_from(l3d_rasterizer_2d& rasterizer, double x, double y, std::uint32_t color) {

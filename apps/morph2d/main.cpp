@@ -65,7 +65,7 @@ private:
         polygon_.draw(vertices, rasterizer);
     }
 
-    /// Scales the forms, which are for a picture of 320 x 200, to this one.
+    /// The matrix from a picture of 320 x 200, for which the forms are made, to this one.
     l3d_matrix<l3d_real> scaling() {
         const double scale = std::min(size().width / 320.0, size().height / 200.0);
         return l3d_scaling<l3d_real>(scale, scale, 1);
@@ -75,7 +75,7 @@ private:
                                             form({{100, 100}, {200, 100}, {150, 200}, {140, 200}}),
                                             form({{-100, 100}, {200, 100}, {950, 200}, {940, 200}}),
                                             form({{100, 150}, {100, 100}, {250, 200}, {100, 200}})};
-    std::size_t last_ = 0;     ///< the form that the way begins with
+    std::size_t last_ = 0;     ///< the form from which the present change began
     int right_ = 0, down_ = 0; ///< how far the user has dragged it, in pixels
     l3d_vertex_interpolator<l3d_real> morph_;
     l3d_polygon_2d_flatshaded polygon_{{0, 1, 2, 3}, l3d_rgb(0, 128, 255)};

@@ -22,7 +22,7 @@ using vector = l3d_polygon_mesh::vector;
 /// Maps a place on a unit sphere about the z axis to a place on the form.
 struct form {
     vector (*place)(const vector&);
-    std::uint32_t low, high; ///< the colours of the trunk and of the part above
+    std::uint32_t low, high; ///< colours of the trunk, and of all above it
 };
 
 /// The cosine of four times the angle about the axis; 1 on the axis.
@@ -40,8 +40,8 @@ vector ball(const vector& v) {
     return v * 10.0;
 }
 
-/// The rows of the sphere's upper quarter make the top, the half in the middle the sides. So edges
-/// lie on rows and columns.
+/// A cube. The rows of the sphere's upper quarter make the top, those of the half in the middle the
+/// sides. So edges lie on rows and columns.
 vector cube(const vector& v) {
     constexpr double half = 7;
     const double row = std::acos(std::clamp(v[2], -1.0, 1.0)) / std::numbers::pi;
@@ -55,8 +55,8 @@ vector star(const vector& v) {
     return v * (8 + 5 * cosine_of_four(v) * (1 - v[2] * v[2]));
 }
 
-/// A trunk, and four leaves that hang down. Rows run along the leaves' lower sides, and back on the
-/// upper ones.
+/// A palm: a trunk, and four leaves that hang down. Rows run along the leaves' lower sides, and
+/// back on the upper ones.
 vector palm(const vector& v) {
     const double across = std::sqrt(v[0] * v[0] + v[1] * v[1]);
     const auto at = [&](double radius, double height) {
@@ -79,17 +79,17 @@ constexpr std::array<form, 4> forms{{{ball, 0xe0952f, 0xe0952f},
                                      {star, 0xc8557b, 0xc8557b},
                                      {palm, 0x9a6a3a, 0x4fa84f}}};
 
-/// Turns while it passes from form to form, a second for each.
+/// A form that turns while it changes from form to form, each time within a second.
 class morphing final : public l3d_object {
 public:
-    /// `is_painted`: the colours of its faces already contain the light.
+    /// `is_painted` tells that the colours of its faces already contain the light.
     explicit morphing(bool is_painted)
         : is_painted_(is_painted), first_(l3d_sphere_mesh(48, 32)), now_(first_) {
         begin();
     }
 
 private:
-    static constexpr int rest = 30, way = 60; ///< steps on the spot, and from form to form
+    static constexpr int rest = 30, way = 60; ///< steps of a rest, and of a change of form
 
     using list = l3d_vertex_list<double>;
 
@@ -124,7 +124,7 @@ private:
         show();
     }
 
-    /// The sphere's axis is the world's y axis.
+    /// Shows the present form. The sphere's axis is the world's y axis.
     void show() {
         const l3d_matrix<double> turned =
             l3d_rotation_y<double>(degrees_) * l3d_rotation_x<double>(-90);
@@ -149,8 +149,8 @@ private:
     l3d_polygon_mesh now_;
     l3d_vertex_interpolator<double> morph_;
     l3d_ticker ticker_;
-    std::size_t which_ = 0; ///< the form that the way begins with
-    int step_ = 0;          ///< step on the way; below 0 at rest
+    std::size_t which_ = 0; ///< the form from which the present change began
+    int step_ = 0;          ///< step of the change; below 0 at rest
     double degrees_ = 0;
 };
 

@@ -26,7 +26,8 @@ public:
         edit(model, std::move(surfaces));
     }
 
-    /// Shows the whole net, from some 24 degrees above: points in front hide few behind them.
+    /// Shows the whole net from some 24 degrees above, so that points in front hide few behind
+    /// them.
     void look_at_net() {
         controls().set_home([this] {
             l3d_camera from = camera();
@@ -40,7 +41,7 @@ public:
     }
 
 private:
-    /// Shows the next shape. A file's model, if there was one, does not come again.
+    /// Shows the next shape. If there was a file's model, it does not come again.
     void show_next_shape() {
         const shape next = shape_at(next_ = (next_ + 1) % shape_count());
         edit(model_of(next.surfaces), next.surfaces);

@@ -41,7 +41,8 @@ private:
                 draw_dot(rasterizer, side * moved(x, r, width), side * r.y, drawn_side, 0xffffff);
     }
 
-    /// Moves a place to the left, and in again from the right.
+    /// The column of a dot after the picture has moved to the left. A dot that leaves comes in
+    /// again from the right.
     int moved(int x, const row& r, int width) const {
         const auto gone = static_cast<int>(updates_ / r.updates_per_pixel % width);
         return ((x - gone) % width + width) % width;
@@ -49,7 +50,7 @@ private:
 
     l3d_ticker ticker_;
     long updates_ = 0;
-    int dragged_ = 0; ///< pixels to the left that make no whole update yet
+    int dragged_ = 0; ///< pixels dragged to the left that do not yet make a whole update
 };
 
 } // namespace

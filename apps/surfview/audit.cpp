@@ -70,8 +70,9 @@ void cut_small(const l3d_surface_audit::triangle& t, double longest, const Visit
     cut_small({half, b, c}, longest, visit);
 }
 
-/// The longest side of the parts into which a picture cuts triangles: some pixels, but long enough
-/// that a processor measures all parts in seconds. CAD meshes have crowds of long thin triangles.
+/// The longest side of the parts into which a picture cuts triangles. It is some pixels, but so
+/// long that a processor measures all parts in seconds. CAD meshes have crowds of long thin
+/// triangles.
 double longest_part(const triangles& mesh, double size) {
     constexpr double pixels = 1.0 / 128;
     const double most_parts = 0x1p17 + static_cast<double>(mesh.size());
@@ -112,8 +113,8 @@ mesh_audit::mesh_audit(std::string surface_file, const l3d_patch_model& surface,
     for (std::size_t i = 0; part_.empty() && i < surface.patches().size(); ++i)
         if (surface.piece_of(i) == found_.from_surface.index)
             part_ = surface.parts().name_of(i);
-    // The worst triangle is seen from its outside, and a missing part from the side away from the
-    // mesh's middle.
+    // The view of the worst place: a triangle is seen from its outside, and a missing part from the
+    // side away from the mesh's middle.
     const vector usual(1.0, 0.8, 1.4);
     vector out = worst().place - mesh_.centre();
     if (&worst() == &found_.from_mesh) {
@@ -200,7 +201,7 @@ l3d_polygon_model mesh_audit::picture() const {
                 result, t,
                 color_of(std::max({middle, distance(t[0]), distance(t[1]), distance(t[2])})));
         });
-    // An octahedron that peeps out on both sides.
+    // The mark is an octahedron, which peeps out on both sides.
     constexpr l3d_color magenta = 0x00ff00ff;
     const double radius = size / 100;
     const vector& at = worst().place;

@@ -138,7 +138,8 @@ private:
         const auto loose = model.loose_edges();
         for (std::size_t i = 0; i < std::min(most, loose.size()); ++i) {
             const l3d_loose_edge& one = loose[i];
-            std::vector<std::string> faces; // where a file numbers none, its pieces
+            // Names of faces, or of pieces if the file numbers no faces.
+            std::vector<std::string> faces;
             for (const std::size_t piece : one.pieces) {
                 const std::uint32_t face = model.face_of(piece);
                 std::string name = face > 0 ? "face " + std::to_string(face)
@@ -155,7 +156,8 @@ private:
         }
     }
 
-    /// Compares a mesh with the model. The picture is the step that is left, if one is wanted.
+    /// Compares a mesh with the model. Returns the step that shows the picture; nothing if none is
+    /// wanted.
     std::function<l3d_exit()> audited() {
         l3d_refuse({{"--audit", normal_.has_value(), "it compares whole models"},
                     {"--audit", parts_.lists(), "--list-parts prints, too"}});
@@ -215,7 +217,8 @@ private:
         return result;
     }
 
-    /// The view with its parts and section as options, also on stderr, to be copied from there.
+    /// The options that make the present view again, with its parts and section. They are printed
+    /// on stderr, too, to be copied from there.
     template <class Pipeline> static std::string told_view(Pipeline& pipeline) {
         std::string text = l3d_afd_options::view_options(pipeline.camera());
         if constexpr (requires { pipeline.settings().rotation; })

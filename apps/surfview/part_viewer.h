@@ -15,14 +15,14 @@
 /// Adds a list of parts and a section plane to `Shown`, patches_in_parts or polygons_in_parts.
 template <class Shown> class part_viewer : public Shown {
 public:
-    /// Has the arguments of `Shown`.
+    /// The arguments are those of `Shown`.
     template <class... Arguments>
     explicit part_viewer(Arguments&&... arguments) : Shown(std::forward<Arguments>(arguments)...) {
         add_rows();
     }
 
-    /// Shows the model as a list of parts and a section ask. `asked` gets the list to change. The
-    /// list is shown if that is wanted and there is a choice.
+    /// Shows what the list of parts and the section leave of the model. `asked` gets the list to
+    /// change. The list is in the picture if that is wanted and there is more than one part.
     template <class Asked>
     void begin(const Asked& asked, const section_plane& section, bool with_list) {
         asked(this->list());
@@ -31,7 +31,7 @@ public:
         this->list().show(with_list && this->list().parts().size() > 1);
     }
 
-    /// The options that hide, colour and cut as it is done now, each after a blank.
+    /// The options that hide, colour and cut parts as the viewer does now, each after a blank.
     std::string part_options() {
         std::string text;
         const auto parts = this->list().parts();
@@ -57,7 +57,7 @@ public:
             apply(this->controls().message());
     }
 
-    /// The list takes what is done over it. A click beside it chooses the part that is there.
+    /// Hands events over the list on to it. A click beside the list chooses the part that is there.
     void pointer_event(const l3d_event& event) override {
         if (std::string said; this->list().pointer(event, said)) {
             apply(said);
@@ -163,7 +163,7 @@ private:
         this->redraw();
     }
 
-    /// A word for a shell.
+    /// A word in quotes for a shell.
     static std::string quoted(const std::string& word) {
         const bool is_plain = std::ranges::all_of(word, [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

@@ -18,7 +18,8 @@ vector along(std::size_t axis) {
     return result;
 }
 
-/// The axis along which a normal points, or against which; the number of axes for any other normal.
+/// The axis that a normal points along or against. For a normal along no axis it is the number of
+/// axes.
 std::size_t axis_of(const vector& normal) {
     std::size_t axis = 0;
     while (axis < names.size() && normal != along(axis) && normal != -along(axis))

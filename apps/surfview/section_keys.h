@@ -19,8 +19,9 @@ public:
 
     const std::optional<l3d_plane<double>>& plane() const { return plane_; }
 
-    /// The next one of none, x, y and z, through the middle of a model of this reach. The half
-    /// towards the axis's tip is cut away. Returns a line for people.
+    /// Takes the next one of four states: no plane, or a plane across x, y or z. The plane goes
+    /// through the middle of a model of this reach, and cuts away the half towards the axis's tip.
+    /// Returns a line for people.
     std::string take_next(const l3d_reach& reach);
     /// Moves the plane along its normal by a part of the model's extent.
     std::string move(double part, const l3d_reach& reach);

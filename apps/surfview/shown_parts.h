@@ -19,7 +19,8 @@
 
 using section_plane = std::optional<l3d_plane<double>>;
 
-/// Patches: each is cut in the picture.
+/// Draws the patches that a list of parts and a section leave. The picture cuts the patches, so the
+/// model stays whole.
 class patches_in_parts : public l3d_pipeline_afd_viewer {
 public:
     using l3d_pipeline_afd_viewer::l3d_pipeline_afd_viewer;
@@ -52,7 +53,8 @@ private:
     l3d_patch_scene alone_; ///< borrowed by a reach
 };
 
-/// Polygons: the mesh is cut, again whenever the model is turned.
+/// Draws the polygons that a list of parts and a section leave. The mesh itself is cut, and cut
+/// anew whenever the model is turned.
 template <class Pipeline> class polygons_in_parts : public Pipeline {
 public:
     template <class... Arguments>

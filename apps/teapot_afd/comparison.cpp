@@ -177,7 +177,8 @@ bool comparison::passes_a_second() const {
     return text_.error == caption::error_state::awaited && live_.seconds() > text_.awaited_seconds;
 }
 
-/// False while an error is measured, so that it is shown once it is known.
+/// Whether nothing changes by itself. It is false while an error is measured, so that the error is
+/// shown once it is known.
 bool comparison::is_at_rest() const {
     return l3d_pipeline_afd_viewer::is_at_rest() && live_.is_idle();
 }
@@ -216,7 +217,8 @@ void comparison::draw_both() {
     draw_line();
 }
 
-/// Shows the same parts on the right: the key d puts another model in the place of the left one.
+/// Shows the same parts on the right as on the left, where the key d puts another model in place of
+/// the whole one.
 void comparison::show_same_parts() {
     const l3d_patch_instance& right = other_.scene().instances()[0];
     if (right.model().identity() != shown().identity())
@@ -263,8 +265,8 @@ void comparison::draw_line() {
                           line_color);
 }
 
-/// Changes the right tolerance until both halves take the same time, which is about proportional to
-/// 1 / tolerance. The fourth root damps the noise of times.
+/// Changes the right tolerance until both halves take the same time. That time is about
+/// proportional to 1 / tolerance. The fourth root damps the noise of times.
 void comparison::seek_equal_time() {
     if (!equal_time_ || !other_method_.keeps_tolerance())
         return;
@@ -290,7 +292,7 @@ bool comparison::measures_errors() {
     return !settings().wireframe && has_exact_picture(shown(), camera(), settings());
 }
 
-/// Begins a measurement, unless one is going on or this picture had one.
+/// Begins a measurement, unless one is going on or this picture has been measured.
 void comparison::measure() {
     const subjects seen = now();
     if (!measures_errors() || seen == begun_ || !live_.is_idle())

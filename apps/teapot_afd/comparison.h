@@ -11,7 +11,7 @@
 #include <optional>
 #include <string>
 
-/// The text about a method on its half of the window. Units: milliseconds, pixels.
+/// The text about a method, on the method's half of the window. Units: milliseconds, pixels.
 struct caption {
     std::string method;
     /// The time that drawing takes, by l3d_picture_pace.
@@ -116,7 +116,7 @@ private:
     l3d_method_choice other_method_;
     bool drags_right_ = false; ///< the last drag began in the right half
     bool equal_time_ = false;
-    /// The right half's tolerance at equal time.
+    /// The tolerance that the right half has while it gets the time of the left one.
     double other_tolerance_;
     /// The number of frames that are still to be drawn although nothing moves.
     int frames_to_settle_ = 0;

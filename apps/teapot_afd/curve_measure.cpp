@@ -17,8 +17,8 @@ namespace {
 using cubic = std::array<double, 4>;
 using plane_curve = l3d_bezier_curve<double, 2>;
 
-/// Random numbers that are the same with every library: mt19937_64 is specified, distributions are
-/// not.
+/// Random numbers that are the same with every library. The standard specifies mt19937_64, but not
+/// distributions.
 class number_source {
 public:
     double between(double low, double high) {
@@ -50,7 +50,7 @@ double bend_of(const cubic& b) {
     return 6 * std::max(std::abs(b[2] - 2 * b[1] + b[0]), std::abs(b[3] - 2 * b[2] + b[1]));
 }
 
-/// The largest error of a walk by sums of integers. Register k counts in units of 2^-bits[k]; sums
+/// The largest error of a walk by sums of integers. Register k counts in units of 2^-bits[k]. Sums
 /// are rounded to nearest.
 double graded_error(const cubic& b, int steps, const std::array<int, 4>& bits) {
     const auto exact = l3d_forward_difference<double, 3>::build(b, steps).d;
@@ -70,8 +70,8 @@ double graded_error(const cubic& b, int steps, const std::array<int, 4>& bits) {
     return worst;
 }
 
-/// Fraction bits with which values up to `largest` fit 32 bits with their sign, and one bit to
-/// spare.
+/// The number of fraction bits with which values up to `largest` fit 32 bits: with their sign, and
+/// one bit to spare.
 int bits_for(double largest) {
     return 30 - (std::ilogb(std::max(largest, 1e-300)) + 1);
 }
@@ -258,8 +258,8 @@ std::vector<chord_row> measure_chords(double range, const std::vector<int>& step
     return rows;
 }
 
-/// Measures Chebyshev's cubic beside random ones: among all within bounds, it rises fastest at its
-/// end (Markov).
+/// Measures Chebyshev's cubic beside random ones. It rises fastest at its end among all cubics
+/// within bounds (Markov).
 std::vector<step_row> measure_steps(double range, int most_halvings, int curves) {
     const double r = range / 2;
     const plane_curve chebyshev{{{{-r, -r}, {5 * r, 5 * r}, {-5 * r, -5 * r}, {r, r}}}};

@@ -33,8 +33,8 @@ struct growth_row {
 /// Source: theory: docs/NUMERICS.md section 5; graded registers: Chang, Rocchetti, Shantz 1989.
 std::vector<growth_row> measure_growth(double range, const std::vector<int>& steps, int curves);
 
-/// The largest power of two, up to `limit`, for which that many steps keep the error below a pixel.
-/// Random cubics of that range are tried.
+/// The largest power of two, up to `limit`, that is a safe number of steps: the error stays below a
+/// pixel. Random cubics of that range are tried.
 int most_steps_below_a_pixel(curve_numbers numbers, double range, int limit, int curves);
 
 /// The largest distance between random cubics and chords of n steps, and its bound h^2 / 8 max
@@ -51,7 +51,7 @@ struct step_row {
     int halvings = 0;
     double per_pixel = 0;  ///< mean of steps / size of the curve's box, over random cubics
     double most = 0;       ///< the largest of these ratios
-    double chebyshev = 0;  ///< for the cubic that is fastest at its ends
+    double chebyshev = 0;  ///< steps / size for the cubic that is fastest at its ends
     double true_speed = 0; ///< for the same cubic, by the largest derivative itself
     double extra = 0;      ///< mean of steps / pixels that the curve passes through
 };

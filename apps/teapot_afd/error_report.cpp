@@ -95,8 +95,8 @@ nlohmann::ordered_json machine(l3d_size size, bool quick) {
             {"quick", quick}};
 }
 
-/// The file for a picture of a setting's error, or null. The library's own method gets a picture,
-/// and so does a mesh of about the same cost.
+/// The file for the picture of a setting's errors; null for settings without one. The library's own
+/// method gets a picture, and so does a mesh of about the same cost.
 const char* pictured(const measured_setting& what) {
     const l3d_method_choice& method = what.method;
     if (method.method == l3d_method::afd && what.tolerance == 0.25 &&

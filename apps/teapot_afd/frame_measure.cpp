@@ -38,14 +38,14 @@ std::vector<reference::patch> patches_of(const l3d_patch_model& model) {
     return result;
 }
 
-/// The milliseconds that this thread has run. Other threads and processes do not count.
+/// The processor time of this thread, in milliseconds. Other threads and processes do not count.
 double processor_ms() {
     timespec time{};
     ::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
     return 1e3 * static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_nsec);
 }
 
-/// Moves the eye by tenths of a millionth of the distance: no picture shows it, and no frame equals
+/// Moves the eye by tenths of a millionth of the distance. No picture shows it, and no frame equals
 /// another.
 l3d_camera trembling(const l3d_camera& at, int frame) {
     constexpr double tremor = 1e-7;
@@ -116,8 +116,8 @@ double rms_of(const std::vector<std::uint8_t>& drawn, const std::vector<unsigned
     return shown > 0 ? std::sqrt(sum / static_cast<double>(shown)) : 0;
 }
 
-/// Distances for a picture without depth, which tells coverage alone. A covered pixel has the exact
-/// distance, if there is one.
+/// Distances for a picture without depth. Such a picture tells coverage alone, so a covered pixel
+/// gets the exact distance, if there is one.
 std::vector<float> covered_distances(const std::vector<std::uint8_t>& levels,
                                      const reference::exact_image& exact) {
     std::vector<float> result;
@@ -181,7 +181,7 @@ template <class Pipeline, class... More>
 measured_frames measure_polygons(const measured_view& view, int n, double seconds,
                                  int most_distances, const More&... more) {
     l3d_polygon_settings settings{.background = {}, .antialias = false, .threads = 1};
-    settings.cull = false; // patches are drawn from both sides, too
+    settings.cull = false; // shows both sides, as the patches do
     polygon_pipeline<Pipeline> pipeline(l3d_memory_canvas(view.size()),
                                         l3d_polygon_model(l3d_tessellated(view.model(), n).mesh),
                                         view.camera(), settings, more...);

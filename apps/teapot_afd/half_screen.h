@@ -16,8 +16,8 @@ struct halves {
     int width;       ///< width of each half
     int right_start; ///< first column of the right half
 
-    /// Leaves two or three columns between the halves if there are more than three in all. A single
-    /// column serves as both halves.
+    /// Divides a picture of `whole` columns. Two or three columns stay free between the halves if
+    /// there are more than three in all. A single column serves as both halves.
     /// Expects: at least one column.
     explicit halves(int whole) : width(std::max(1, (whole - 2) / 2)), right_start(whole - width) {}
 

@@ -142,8 +142,8 @@ void live_error::run(const std::stop_token& stop, bool is_modest) {
     }
 }
 
-/// The results of a task, unknown if the exact renderer gives up. It does so if the near plane cuts
-/// a patch whose farthest point is a million times as far away.
+/// Finds the results of a task. They are unknown if the exact renderer gives up. It does so if the
+/// near plane cuts a patch whose farthest point is a million times as far away.
 std::vector<live_result> live_error::results_of(const live_task& task,
                                                 const std::stop_token& stop) {
     try {

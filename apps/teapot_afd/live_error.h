@@ -29,7 +29,7 @@ struct live_result {
     reference::error_map map;
 };
 
-/// A model, which equals only itself and its copies.
+/// A model. It equals its copies, and no other model.
 struct shown_model {
     std::optional<l3d_patch_model> model;
 
@@ -72,9 +72,9 @@ bool has_exact_picture(const l3d_patch_model& model, const l3d_camera& camera,
 ///          way.
 class live_error {
 public:
-    /// A modest thread leaves most of a busy processor to others, so that frames take as long as
-    /// without it. Other threads have their results soon, for callers who wait. If the system makes
-    /// no thread, or memory runs out, errors stay unknown.
+    /// Starts the thread. A modest thread leaves most of a busy processor to others, so that frames
+    /// take as long as without it. A thread that is not modest has its results soon, for callers
+    /// who wait. If the system makes no thread, or memory runs out, errors stay unknown.
     explicit live_error(bool is_modest);
     live_error(const live_error&) = delete;
     live_error& operator=(const live_error&) = delete;

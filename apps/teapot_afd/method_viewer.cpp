@@ -67,12 +67,13 @@ bool method_viewer::needs_redraw() const {
     return l3d_pipeline_afd_editor::needs_redraw() || (live_ && live_->has_results());
 }
 
-/// False while an error is measured, so that it is shown once it is known.
+/// Whether nothing changes by itself. It is false while an error is measured, so that the error is
+/// shown once it is known.
 bool method_viewer::is_at_rest() const {
     return l3d_pipeline_afd_editor::is_at_rest() && (!live_ || live_->is_idle());
 }
 
-/// Begins a measurement, unless one is going on or this picture had one.
+/// Begins a measurement, unless one is going on or this picture has been measured.
 void method_viewer::measure() {
     if (!live_)
         live_.emplace(screen().is_window());
@@ -96,8 +97,8 @@ void method_viewer::paint_surfaces() {
         paint_errors();
 }
 
-/// Colours pixels by their measured errors: surfaces, and outlines whose error was measured. Smooth
-/// edges end where their pixels' centres do, since only these are measured.
+/// Colours pixels by their measured errors: surfaces, and outlines whose error was measured. A
+/// pixel is coloured if a surface covers its centre, since errors are measured only there.
 void method_viewer::paint_errors() {
     constexpr std::uint32_t not_measured = 0x00606060;
     const std::vector<float> distances = this->distances();
@@ -122,7 +123,8 @@ std::string method_viewer::error_scale_title() const {
                          : l3d_pipeline_afd_editor::error_scale_title();
 }
 
-/// Takes the next method. AFD gets back the fog that other methods drop, since no key does that.
+/// Takes the next method. AFD gets back the fog that other methods drop, since no key switches fog
+/// on.
 void method_viewer::take_next_method() {
     controls().say(show_next_method(*this, method_));
     if (settings().method.is_default())
@@ -145,7 +147,8 @@ void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method) {
     pipeline.settings() = as_method_can(pipeline.settings());
 }
 
-/// Passes over methods that cannot be created. AFD always can, so the search ends.
+/// Takes the next method, and skips those that cannot be created. AFD always can, so the search
+/// ends.
 std::string show_next_method(l3d_pipeline_afd& pipeline, l3d_method_choice& method) {
     std::string passed_over;
     for (;;)

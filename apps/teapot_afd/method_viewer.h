@@ -62,8 +62,8 @@ private:
     bool shows_errors_ = false;
 };
 
-/// The settings without those that their method cannot show: the wireframe, fog, and shades that
-/// need its bound or exact patches.
+/// The settings without those that their method cannot show. These are the wireframe, fog, and
+/// shades that need its bound or exact patches.
 l3d_afd_settings as_method_can(l3d_afd_settings settings);
 
 /// Makes a pipeline draw with another method, without the settings that this cannot show.
@@ -71,7 +71,7 @@ l3d_afd_settings as_method_can(l3d_afd_settings settings);
 void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method);
 
 /// Makes a pipeline draw with the next method that can be created here. Returns a line that names
-/// this method, and any that had to be passed over, with the reason.
+/// it. If others had to be skipped, the line names them, too, with the reason.
 std::string show_next_method(l3d_pipeline_afd& pipeline, l3d_method_choice& method);
 
 #endif

@@ -105,8 +105,8 @@ private:
     std::vector<cell_ray> rays_;
 };
 
-/// Walks all rays until they hit. The row has steps, time, and the share of pixels that exact rays
-/// see otherwise.
+/// Walks all rays until they hit. The row has steps, time, and the share of pixels in which exact
+/// rays see something else.
 std::string walk_rays(const cells_of_teapot& of, const path_kind& kind) {
     std::int64_t steps = 0, other = 0;
     double seconds = std::numeric_limits<double>::infinity();

@@ -20,7 +20,8 @@
 
 namespace {
 
-/// The bytes of a vertex that is not kept: its place, depth and normal as they are filled.
+/// The bytes of a vertex that is not kept: its place, depth and normal in the form in which they
+/// are filled.
 constexpr double plain_vertex = 2 * sizeof(std::int32_t) + 4 * sizeof(float);
 
 /// A flight: the camera at frame `at` of `frames`.
@@ -43,7 +44,8 @@ l3d_camera zoomed(const l3d_camera& from, int at, int frames) {
     return result;
 }
 
-/// Moves the eye by a millionth of its distance: other numbers, the same picture.
+/// Moves the eye by a millionth of its distance. So the numbers differ, but the picture is the
+/// same.
 l3d_camera still(const l3d_camera& from, int at, int) {
     l3d_camera result = from;
     result.eye = from.eye + (from.eye - from.target) * (1e-6 * at);

@@ -53,7 +53,7 @@ l3d_patch_model::patch patch_of(const surface& s, const part& of) {
     return result;
 }
 
-/// The patches of a surface whose parameters, from 0 to 1, are cut into along_u by along_v parts.
+/// Patches of a surface over parameters from 0 to 1, cut into along_u by along_v parts.
 std::vector<l3d_patch_model::patch> patches_of(const surface& s, int along_u, int along_v) {
     std::vector<l3d_patch_model::patch> result;
     for (int j = 0; j < along_v; ++j)
@@ -80,8 +80,8 @@ l3d_patch_model lampshade() {
     constexpr int pleats = 16, storeys = 3;
     std::vector<l3d_patch_model::patch> result;
     for (int i = 0; i < pleats; ++i) {
-        // The radius goes in and out by turns: it is linear within a pleat, and bends from pleat to
-        // pleat.
+        // The radius grows and shrinks by turns. It is linear within a pleat, and bends from pleat
+        // to pleat.
         const double from = i % 2 ? 1 : 0.82, to = i % 2 ? 0.82 : 1;
         const auto pleat = [=](double u, double v) {
             const double a = 2 * pi * (i + u) / pleats;
@@ -104,8 +104,8 @@ l3d_patch_model knot() {
                               -std::sin(3 * t)};
             };
             const vector here = centre(a), ahead = centre(a + 1e-3) - centre(a - 1e-3);
-            // Directions across the way: away from the knot's middle as far as possible, and
-            // perpendicular to that.
+            // Two directions across the knot's curve: away from the knot's middle as far as
+            // possible, and perpendicular to that.
             const vector forward = ahead / l3d_length(ahead);
             const vector outward = here - forward * l3d_dot(here, forward);
             const vector side = outward / l3d_length(outward);

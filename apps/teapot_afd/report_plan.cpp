@@ -10,7 +10,8 @@ using settings = std::vector<measured_setting>;
 using tolerances = std::vector<double>;
 using numbers = std::vector<int>;
 
-/// The most quads of a mesh: more take seconds for each frame, and hundreds of bytes a quad.
+/// The most quads of a mesh that is measured, and of one whose errors become a picture. More take
+/// seconds for each frame, and hundreds of bytes a quad.
 constexpr std::size_t most_quads = 1'200'000, most_painted_quads = 300'000;
 
 /// Plans the settings for one model's report.

@@ -24,7 +24,8 @@ struct plan_scope {
     bool has_scenes = false; ///< the same hills in 4 to 4096 patches, too
 };
 
-/// Plans all methods and arithmetics for each of the models, but no meshes of millions of quads.
+/// Plans measurements of each model by all methods and arithmetics. Meshes of millions of quads are
+/// left out.
 std::vector<planned_model> report_plan(std::vector<report_model> models, const plan_scope& scope);
 
 #endif

@@ -17,7 +17,7 @@ constexpr const char* columns =
     "model,view,method,setting,patches,median_ms,least_ms,first_ms,frames,bound_px,outline_px,"
     "percentile_999_px,largest_px,mean_px,judged_share,rms_levels,holes,failures,points,quads\n";
 
-/// The text of a value: nothing if it is unknown, "none" if there is none.
+/// The text of a value: "" if it is unknown, "none" if there is none.
 std::string text_of(double value) {
     if (!std::isfinite(value))
         return std::isnan(value) ? "" : "none";

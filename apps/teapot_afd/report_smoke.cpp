@@ -36,7 +36,7 @@ void add_plate(std::vector<triangle>& to, const vector& a, const vector& b, cons
     add_quad(to, d, c, b, a);
 }
 
-/// A body of revolution along x, two wings, a tail.
+/// A jet: a body of revolution along x, two wings, a tail.
 std::vector<triangle> jet() {
     constexpr int around = 14;
     constexpr std::array<std::array<double, 2>, 7> sections{
@@ -60,10 +60,10 @@ std::vector<triangle> jet() {
     return result;
 }
 
-/// Natural logarithm of the weakening of light across a cube of the largest density.
+/// The natural logarithm of the factor by which a cube of the largest density weakens light.
 constexpr double thickness = 22;
 
-/// The smoke in a cell: densest round the jet's tail, with lumps and holes.
+/// The smoke in a cell. It is densest round the jet's tail, and has lumps and holes.
 l3d_cloud::matter smoke_at(const l3d_cloud::place& cell, int side) {
     const double x = 2 * cell[0] / side - 1, y = 2 * cell[1] / side - 1, z = 2 * cell[2] / side - 1;
     const double lumps = 0.5 + 0.25 * std::sin(7 * x + 3 * std::sin(4 * z + 1)) +
@@ -73,7 +73,7 @@ l3d_cloud::matter smoke_at(const l3d_cloud::place& cell, int side) {
     return {static_cast<float>(dense * thickness / side), static_cast<float>(0.62 + 0.3 * y)};
 }
 
-/// Projects places into a camera's picture: the inverse of the camera's rays.
+/// Projects places into a camera's picture, as the inverse of the camera's rays.
 class eye {
 public:
     eye(const l3d_camera& camera, const l3d_shading& view)

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// Draws seven things more in each 60th of a second, and one where the user drags. A subclass draws
-/// each of them.
+/// Piles up things in the picture: seven in each 60th of a second, and one where the user drags. A
+/// subclass draws each of them.
 class pile_pipeline : public l3d_lesson {
 public:
     pile_pipeline(l3d_canvas canvas, std::uint64_t seed)

@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <cstdlib>
 
-/// The way in which two neighbouring cells of a path touch. Its number counts the axes along which
-/// one step may go at once.
+/// The way in which two neighbouring cells of a path touch. Its value is the number of axes along
+/// which one step may go at once.
 enum class l3d_cell_touch {
     face = 1,   ///< 6 neighbours; most of the change is along one axis
     edge = 2,   ///< 18 neighbours; two axes
@@ -19,7 +19,8 @@ enum class l3d_cell_touch {
 
 /// The order in which a path takes its steps.
 enum class l3d_cell_order {
-    near_line,      ///< every cell is as near to the straight line as such steps allow
+    /// Every cell is as near to the straight line as steps across such touches allow.
+    near_line,
     diagonal_first, ///< diagonal steps until the rest of the way is along fewer axes
 };
 
@@ -27,8 +28,8 @@ using l3d_cell = std::array<int, 3>;
 
 namespace l3d_detail {
 
-/// Walks from one cell to another, and tells the remaining ways along each axis and which axis's
-/// next step is due on the straight line.
+/// Walks from one cell to another. It tells how far the end still is along each axis, and along
+/// which axis the straight line asks for the next step.
 class cell_walk {
 public:
     cell_walk(const l3d_cell& from, const l3d_cell& to) : cell_(from) {
@@ -62,7 +63,7 @@ public:
         return is_sooner(2, i) ? 2 : i;
     }
 
-    /// The axis with the longest way.
+    /// The axis along which the end is farthest.
     std::size_t longest() const {
         return static_cast<std::size_t>(std::max_element(ways_.begin(), ways_.end()) -
                                         ways_.begin());
@@ -85,17 +86,18 @@ private:
 /// Visits the cells of a path from `from` to `to`, both included, until visit(cell) is false.
 /// Returns the number of steps.
 ///
-/// Let a >= b >= c be the ways along the axes. A path across faces has a + b + c steps; near the
-/// line, it meets every cell that the line pierces. A path across corners has a steps. A path
-/// across edges has a steps, and one more for each that would go along three axes.
+/// Let a >= b >= c be the distances along the axes, in cells. A path across faces has a + b + c
+/// steps; near the line, it meets every cell that the line pierces. A path across corners has a
+/// steps. A path across edges has a steps, and one more for each step that would go along three
+/// axes.
 ///
-/// With diagonal_first, each step goes along the axes with the longest remaining ways, whatever the
+/// With diagonal_first, each step goes along the axes with the longest distances left, whatever the
 /// line. Across corners there are a steps: c along three axes, b - c along two, a - b along one.
-/// Across edges their number is the larger of a and half the sum of the ways. The path (2, 1) then
-/// takes 2 steps across faces of cells in place of 3. Such a path bends away from the line, so it
-/// serves short ways only.
+/// Across edges their number is the larger of a and half the sum of the distances. The path (2, 1)
+/// then takes 2 steps, where a path across faces takes 3. Such a path bends away from the line, so
+/// it serves short distances only.
 /// Source: Kaufman, Shimony, 3D Scan-Conversion Algorithms for Voxel-Based Graphics, Workshop on
-///         Interactive 3D Graphics 1986, for the three kinds of touch.
+/// Interactive 3D Graphics 1986, for the three kinds of touch.
 template <class Visit>
 int l3d_walk_cells(const l3d_cell& from, const l3d_cell& to, l3d_cell_touch touch,
                    l3d_cell_order order, const Visit& visit) {

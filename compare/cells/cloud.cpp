@@ -22,8 +22,9 @@ l3d_cloud::l3d_cloud(int side, const std::function<matter(const place&)>& of) : 
             }
 }
 
-/// Cells that a ray meets share faces, so the ways through them add up to the whole way. Their
-/// parts of light let through multiply to that of one piece of the same density.
+/// Adds up the light of the cells along a ray. Cells that a ray meets share faces, so the lengths
+/// in them add up to the ray's whole length. The parts of light that they let through multiply to
+/// that of one piece of the same density.
 l3d_cloud::seen l3d_cloud::look(const place& origin, const place& direction, double from,
                                 double to) const {
     constexpr double nothing = 1.0 / 1024;
@@ -38,7 +39,7 @@ l3d_cloud::seen l3d_cloud::look(const place& origin, const place& direction, dou
          walk.t() < end && result.let_through > nothing; walk.go_on()) {
         const auto& cell = walk.cell();
         if (std::any_of(cell.begin(), cell.end(), [this](int i) { return i < 0 || i >= side_; }))
-            break; // rounding may do this at the cube's end
+            break; // at the cube's end, rounding may do this
         ++result.cells;
         const std::size_t i = index(cell);
         if (density_[i] == 0)
@@ -51,7 +52,8 @@ l3d_cloud::seen l3d_cloud::look(const place& origin, const place& direction, dou
     return result;
 }
 
-/// Rays are scaled so that one unit of t is one of distance along the view axis, as depth is.
+/// Lays the cloud over the picture ray by ray. Rays are scaled so that one unit of t is one of
+/// distance along the view axis, as depth is.
 std::int64_t l3d_lay_over(l3d_pixels picture, const l3d_depth_buffer& depth,
                           const l3d_camera& camera, const l3d_cloud& cloud,
                           const l3d_cloud_place& at) {

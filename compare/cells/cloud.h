@@ -24,7 +24,6 @@
 /// Cost:    5 bytes a cell; 10 ns for each cell that a ray meets.
 /// Source:  Kreeger, Kaufman, Mixing Translucent Polygons with Volumes, IEEE Visualization 1999;
 ///          here the polygons are opaque.
-///          here the polygons are opaque.
 class l3d_cloud {
 public:
     using place = std::array<double, 3>;

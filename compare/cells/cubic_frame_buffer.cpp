@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::uint32_t occupied = 1u << 30;
 
-/// Components from -1 to 1 in steps of 1/511.
+/// Packs a normal: its components, from -1 to 1, in steps of 1/511.
 std::uint32_t packed(const std::array<float, 3>& normal) {
     std::uint32_t word = occupied;
     for (std::size_t i = 0; i < 3; ++i)

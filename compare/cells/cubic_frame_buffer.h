@@ -11,12 +11,12 @@
 
 /// A picture in three dimensions: a scene is filled in once, and can be seen from anywhere.
 ///
-/// Filled cells hold a normal. Cells are kept in bricks of 8 x 8 x 8. Only bricks with a filled
-/// cell take memory, 2 KB each; a ray strides over the others.
+/// Filled cells hold a normal. Bricks of 8 x 8 x 8 cells hold them. A brick takes memory, 2 KB,
+/// only if one of its cells is filled; a ray strides over the others.
 /// Units:  cells; the cube reaches from 0 to resolution() along each axis.
 /// Source: Kaufman, Efficient Algorithms for 3D Scan-Conversion of Parametric Curves, Surfaces, and
-///         Volumes, SIGGRAPH 1987. Rays as in Amanatides, Woo, A Fast Voxel Traversal Algorithm for
-///         Ray Tracing, Eurographics 1987, here on two levels.
+/// Volumes, SIGGRAPH 1987. Rays as in Amanatides, Woo, A Fast Voxel Traversal Algorithm for Ray
+/// Tracing, Eurographics 1987, here on two levels.
 class l3d_cubic_frame_buffer {
 public:
     using place = std::array<double, 3>;

@@ -59,7 +59,8 @@ double to_number(std::uint64_t value) {
 
 } // namespace
 
-/// 16.16 gets coordinates below 2^14: the first differences that a walk uses are then below 2^15.
+/// Chooses the scale of each coordinate. 16.16 gets coordinates below 2^14, so that the first
+/// differences of a walk are below 2^15.
 l3d_fd_dicer::scales l3d_fd_dicer::scales_of(const l3d_image_patch& net, int steps) const {
     const std::array<std::array<double, 4>, 3> size{sizes_of(net, 0), sizes_of(net, 1),
                                                     sizes_of(net, 2)};
@@ -119,7 +120,7 @@ void l3d_fd_dicer::walk(registers<R>& walked, const l3d_image_patch& net, const 
     for (int row = 0; row <= steps; ++row) {
         const std::size_t at = grid.index(row, 0);
         for (std::size_t c = 0; c < columns; ++c) {
-            // A walk that goes astray may end behind the eye; its bound is infinite then.
+            // A walk that goes astray may end behind the eye. Its bound is infinite then.
             const double w =
                 std::max(to_number(walked.of[2][0][c]) * back[2], view.near / l3d_guard_band);
             const double x = to_number(walked.of[0][0][c]) * back[0];

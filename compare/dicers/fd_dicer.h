@@ -17,10 +17,10 @@
 /// Classic forward differencing. One bound of the whole patch gives the number of steps. Each
 /// column v -> S(u, v) is started exactly and walked from end to end without a restart.
 ///
-/// Homogeneous points may be multiplied by any number, so each arithmetic gets the scale that
-/// serves it best. Slits to neighbours with other steps are closed along the same edge polylines as
-/// in the adaptive method. A patch with an edge that needs more than 4 x 32 steps is left to
-/// l3d_patch_dicer.
+/// Homogeneous points may be multiplied by any number, so each arithmetic gets the scale that suits
+/// it best. Slits beside neighbours with other numbers of steps are closed along the same edge
+/// polylines as in the adaptive method. A patch with an edge that needs more than 4 x 32 steps is
+/// left to l3d_patch_dicer.
 /// Cost: 9 additions and a division a vertex.
 class l3d_fd_dicer {
 public:
@@ -36,7 +36,7 @@ public:
 private:
     /// The four registers of each of three coordinates, for all columns side by side.
     template <class R> struct registers { std::array<std::array<std::vector<R>, 4>, 3> of; };
-    /// The factor by which each coordinate is multiplied in its registers, and the error of a walk.
+    /// The factor that each coordinate has in its registers, and the error of a walk.
     struct scales {
         std::array<double, 3> factor{1, 1, 1};
         double error_xy = 0, error_w = 0;

@@ -16,7 +16,7 @@ constexpr int deepest = 24;
 
 using point = l3d_vector<double, 3>;
 
-/// A net in the picture, with depths as pixels. There, 1 / w of a plane is linear, and one pixel of
+/// A net in the picture, with depths in pixels. In it, 1 / w of a plane is linear, and one pixel of
 /// depth changes it by 1 / (focal w).
 l3d_bezier_patch<double, 3> in_pixels(const l3d_image_patch& net, const l3d_dice_view& view) {
     const double w = l3d_depth_range_of(net.points).least;

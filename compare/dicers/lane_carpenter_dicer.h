@@ -9,15 +9,15 @@
 #include "scene/counts.h"
 #include "scene/dice_view.h"
 
-/// Cuts a patch until its control points are within the tolerance of a plane and its sides within
-/// it of their chords. Then its four corners are a polygon, which is filled as always. Nothing is
-/// iterated, so nothing fails to converge.
+/// Cuts a patch until it is as good as a polygon: its control points are within the tolerance of a
+/// plane, and its sides within the tolerance of their chords. Then its four corners are a polygon,
+/// which is filled as always. Nothing is iterated, so nothing fails to converge.
 ///
-/// As in the paper, cracks stay, since the tolerance keeps them small. Where a side is straight for
-/// one piece and cut by its neighbour, pixels may be left out. So there is no bound. The method
+/// As in the paper, cracks stay, since the tolerance keeps them small. Pixels may be left out where
+/// a side is straight for one piece and cut by its neighbour. So there is no bound. The method
 /// `subdivision` is this one with its cracks mended, and with a certified bound.
 /// Source: Lane, Carpenter, A Generalized Scan Line Algorithm for the Computer Display of
-///         Parametrically Defined Surfaces, CGIP 11, 1979; with Whitted, Blinn, CACM 23, 1980.
+/// Parametrically Defined Surfaces, CGIP 11, 1979; with Whitted, Blinn, CACM 23, 1980.
 class l3d_lane_carpenter_dicer {
 public:
     /// Dices a patch and adds its polygons to `out`. Expects: l3d_needs_no_clipping(net, view).
@@ -34,8 +34,8 @@ private:
     static void divide(const l3d_patch_part& p, task& of);
 };
 
-/// Whether a net is as good as a polygon: its points are within `tolerance` of a plane, and those
-/// of its sides within it of their chords. Depth is measured in pixels, too.
+/// Whether a net is as good as a polygon. Its points must be within `tolerance` of a plane, and
+/// those of each side within `tolerance` of the side's chord. Depth is measured in pixels, too.
 bool l3d_is_polygon(const l3d_image_patch& net, const l3d_dice_view& view, double tolerance);
 
 #endif

@@ -13,11 +13,11 @@
 
 #include <array>
 
-/// The largest number of quads along a grid. With two quads a pixel they are 16 pixels long, as
-/// large as the paper's grids. Walks of up to 32 steps are certified.
+/// The largest number of quads along a grid. With two quads along a pixel, such a grid is 16 pixels
+/// long, as large as the paper's grids. Walks of up to 32 steps are certified.
 inline constexpr int l3d_most_micropolygons = 32;
 
-/// The estimated lengths of the longest curves along u and along v: those of the longest lines of
+/// The estimated lengths of the longest curves along u and along v: those of the longest rows of
 /// control points. Units: pixels.
 std::array<double, 2> l3d_micropolygon_lengths(const l3d_image_patch& net);
 
@@ -34,8 +34,8 @@ int l3d_micropolygons_along(double length, int quads_a_pixel);
 /// Source: Cook, Carpenter, Catmull, The Reyes Image Rendering Architecture, SIGGRAPH 1987.
 class l3d_micropolygon_dicer {
 public:
-    /// The paper has two quads along a pixel, so that they are half as large as the distance of
-    /// samples.
+    /// Sets the number of quads along a pixel. The paper has two, so that quads are half as large
+    /// as the distance of samples.
     /// Expects: >= 1.
     explicit l3d_micropolygon_dicer(int quads_a_pixel = 2) : quads_a_pixel_(quads_a_pixel) {}
 

@@ -87,7 +87,7 @@ void l3d_subdivision_dicer::divide(piece& p, task& of) {
         ++of.counts.pieces;
         return;
     }
-    // A straight edge need not be halved for its own sake.
+    // The cut runs across bent edges. A straight edge need not be halved for its own sake.
     const bool along_u = bent_u != bent_v ? bent_u : image.uu >= image.vv;
     cut(p, along_u, of);
 }
@@ -95,7 +95,7 @@ void l3d_subdivision_dicer::divide(piece& p, task& of) {
 void l3d_subdivision_dicer::cut(const piece& p, bool along_u, task& of) {
     auto [low, high] = l3d_halves(p, along_u);
     for (const std::size_t high_side : {std::size_t{0}, std::size_t{1}}) {
-        // The ends and the middle of an edge across the cut.
+        // The cut halves this edge: its ends, and its middle.
         const std::size_t side = (along_u ? 0 : 2) + high_side;
         const std::size_t a = along_u ? 2 * high_side : high_side;
         const std::size_t b = along_u ? a + 1 : a + 2;

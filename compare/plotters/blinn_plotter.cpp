@@ -13,7 +13,8 @@ namespace {
 /// The number of samples of a border. A silhouette that runs into it is found between two of them.
 constexpr int border_samples = 16;
 
-/// Distance outside of a patch at which a silhouette still bounds its inside: a rounding.
+/// The distance outside of a patch at which a silhouette still bounds its inside. It allows for
+/// rounding.
 constexpr double rim = 1e-6;
 
 bool is_inside(const l3d_scan_root& at) {
@@ -47,7 +48,7 @@ void l3d_blinn_plotter::plot(const l3d_image_patch& net, const l3d_plot_task& of
         borders_.push_back({edge, 0});
     silhouettes_.clear();
     find_beginnings(piece, of);
-    // Tracking begins above the window, where the patch does.
+    // Tracking begins at the patch's top, even above the window.
     const double middle = of.view.size.height / 2.0;
     const int end = std::min(of.view.size.height, l3d_first_centre(hull.bottom + middle) + 1);
     for (int row = l3d_first_centre(hull.top + middle); row < end; ++row) {
@@ -203,7 +204,7 @@ void l3d_blinn_plotter::scan_span(const l3d_scan_piece& piece, int row, bool fro
     const double y = row + 0.5 - of.view.size.height / 2.0;
     const int end = std::min(of.view.size.width, l3d_first_centre(right.x + centre_x));
     l3d_scan_root last{}, before{};
-    int known = 0; // solved pixels in a row; two predict the third
+    int known = 0; // pixels solved in a row; two predict the third
     for (int column = std::max(0, l3d_first_centre(left.x + centre_x)); column < end; ++column) {
         const double x = column + 0.5 - centre_x;
         const l3d_scan_root start =

@@ -10,18 +10,19 @@
 #include <cstddef>
 #include <vector>
 
-/// Scans a whole patch, never cut, line by line from top to bottom. Its borders and silhouettes are
-/// tracked: each point on a line starts Newton's iteration for the next line. Silhouettes begin
-/// where they cross a border, and at the highest, lowest and saddle points of the patch.
+/// Scans a whole patch, without cutting it, line by line from top to bottom. Its borders and
+/// silhouettes are tracked: each point on a line starts Newton's iteration for the next line.
+/// Silhouettes begin where they cross a border, and at the highest, lowest and saddle points of the
+/// patch.
 ///
 /// On a line, the borders and silhouettes of the front pair up from left to right. Those of the
 /// back pair up in the same way. Within a pair, each pixel is solved in two variables, from the
 /// pixel before it.
 ///
-/// A failure is an iteration that does not come to rest on the right side of the surface, or an
-/// edge without partner. Its pixels are left out. Folds whose silhouettes begin in a cusp are not
-/// found, since y has no extremum or saddle there. The paper proposes no remedy, so there is none
-/// here.
+/// Failures are counted, and their pixels are left out. An iteration fails if it does not come to
+/// rest on the right side of the surface, and an edge fails if it has no partner. Folds whose
+/// silhouettes begin in a cusp are not found, since y has no extremum or saddle there. The paper
+/// proposes no remedy, so there is none here.
 /// Source: J. F. Blinn in Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying
 ///         Parametrically Defined Surfaces, CACM 23, 1980.
 class l3d_blinn_plotter {

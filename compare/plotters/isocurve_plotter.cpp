@@ -21,9 +21,9 @@ constexpr double least_length = 8;
 /// points.
 constexpr int deepest = 40, most_halvings = 20;
 
-/// Bound of a piece's extent along u, in the larger of both image coordinates. Let (X, Y) be the
-/// middle of its box and r half its larger side. Then dX/du = (x_u - X w_u) / w, and x_u is three
-/// times a mean of the net's differences.
+/// Bound of a piece's extent along u in the picture, the larger of its width and height. Let (X, Y)
+/// be the middle of its box and r half its larger side. Then dX/du = (x_u - X w_u) / w, and x_u is
+/// three times a mean of the net's differences.
 double width_bound(const l3d_image_patch& net, const l3d_image_box& hull) {
     const double x = (hull.left + hull.right) / 2, y = (hull.top + hull.bottom) / 2;
     const double r = std::max(hull.width(), hull.height()) / 2;
@@ -75,7 +75,7 @@ void l3d_isocurve_plotter<T>::fill(const stripe& between, const l3d_plot_task& o
         const auto width_of = [](const l3d_image_patch& net) {
             return width_bound(net, l3d_image_box_of(net.points));
         };
-        // Whether a cut is worth while: one half needs no more curves, or fewer.
+        // A cut is worth while if one half needs no more curves, or fewer.
         const double first = width_of(low.net), second = width_of(high.net);
         if (std::min(first, second) < 0.75 * std::max(first, second)) {
             fill(low, of);
@@ -89,7 +89,7 @@ void l3d_isocurve_plotter<T>::fill(const stripe& between, const l3d_plot_task& o
     fill(high, of);
 }
 
-/// Time is counted in units of 2^-most_halvings of the curve.
+/// Walks a curve. The parameter is counted in units of 2^-most_halvings of the curve.
 template <class T>
 void l3d_isocurve_plotter<T>::draw_curve(const l3d_image_curve& curve, double u, double v0,
                                          double v1, const l3d_plot_task& of) {
@@ -135,7 +135,7 @@ void l3d_isocurve_plotter<T>::put(const l3d_image_point& h, double v, const l3d_
     ++of.counts.samples;
     const l3d_size size = of.canvas.size();
     const double x = h[0] / h[2] + size.width / 2.0, y = h[1] / h[2] + size.height / 2.0;
-    // Written so that NaN is outside.
+    // The condition is written so that NaN counts as outside.
     if (!(x >= 0 && y >= 0 && x < size.width && y < size.height && h[2] > 0))
         return;
     const int column = static_cast<int>(x), row = static_cast<int>(y);

@@ -12,11 +12,11 @@
 /// taken, and steps shorter than half of it are doubled.
 ///
 /// Where two curves may be farther apart than the spacing, and only there, a third curve is drawn
-/// between them. The spacing is half a pixel, unless told otherwise. Pieces of the patch that are
-/// narrow enough are left out, so most curves end early. With points and curves half a pixel apart,
-/// in the larger of both coordinates, a piece without folds leaves no pixel out. A pixel gets the
-/// depth and normal of the point that fell into it, which may be half a pixel from its centre. So
-/// there is no bound, and outlines are up to a pixel fat.
+/// between them. Parts of the patch that are narrow enough get no further curve, so most curves end
+/// early. The spacing is half a pixel, unless told otherwise, in the larger of both coordinates.
+/// Then a patch without folds leaves no pixel out. A pixel gets the depth and normal of the point
+/// that fell into it, which may be half a pixel from its centre. So there is no bound, and outlines
+/// are up to a pixel fat.
 /// Cost:    some 30 points a pixel and layer.
 /// Source:  Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and Surfaces,
 ///          SIGGRAPH 1987. Curves that end early are those of Elber, Cohen, Adaptive Isocurves

@@ -40,7 +40,7 @@ void add(const l3d_image_curve& curve, l3d_scan_root from, l3d_scan_root to, int
     add(high, middle, to, depth + 1, edges);
 }
 
-/// y(t) - Y w(t), as a polynomial.
+/// The function y(t) - Y w(t) as a polynomial. It is 0 where the curve crosses the scan line Y.
 struct height {
     height(const l3d_scan_edge& edge, double y) {
         const auto& p = edge.curve.points;
@@ -102,13 +102,14 @@ std::optional<double> l3d_newton_crossing(const l3d_scan_edge& edge, double y, d
         const double slope = of.slope(t);
         if (!(slope != 0))
             return std::nullopt;
-        // Clamped: steps that leave the edge by more than its own length lead nowhere.
+        // Steps that leave the edge by more than its own length lead nowhere, so they are clamped.
         t = std::clamp(t - value / slope, -1.0, 2.0);
     }
     return std::nullopt;
 }
 
-/// Blossoms: control point k has the parameters `from` 3 - k times and `to` k times.
+/// Finds the control points of a part by blossoms: point k has the parameters `from` 3 - k times
+/// and `to` k times.
 l3d_image_curve l3d_curve_part(const l3d_image_curve& curve, double from, double to) {
     l3d_image_curve result;
     for (std::size_t k = 0; k < 4; ++k) {

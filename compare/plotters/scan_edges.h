@@ -37,14 +37,14 @@ struct l3d_scan_crossing {
 void l3d_add_scan_edges(const l3d_image_curve& curve, l3d_scan_root from, l3d_scan_root to,
                         std::vector<l3d_scan_edge>& edges);
 
-/// The crossing of an edge and a scan line, which is always found. Newton's iteration gives it,
-/// with halving where it would leave the edge.
+/// Finds the crossing of an edge and a scan line; there always is one. Newton's iteration finds it,
+/// and halving takes over where the iteration would leave the edge.
 /// Expects: edge.meets(y).
 l3d_scan_crossing l3d_guarded_crossing(const l3d_scan_edge& edge, double y);
 
-/// The parameter of the crossing by Newton's iteration alone, from `start`, which the scan line
-/// before gives. Adds the number of evaluations to `rounds`. Nothing if the iteration does not come
-/// to rest within `accuracy` pixels, or leaves the edge.
+/// The parameter of the crossing by Newton's iteration alone. It begins at `start`, the crossing
+/// with the scan line before. Adds the number of evaluations to `rounds`. Nothing if the iteration
+/// does not come to rest within `accuracy` pixels, or leaves the edge.
 std::optional<double> l3d_newton_crossing(const l3d_scan_edge& edge, double y, double start,
                                           double accuracy, int& rounds);
 

@@ -16,10 +16,12 @@ cubic powers_of(const l3d_image_point& a, const l3d_image_point& b, const l3d_im
     return {a, d1 * 3.0, d2 * 3.0, ((d - c) - (c - b)) - d2};
 }
 
-/// Distance outside of the piece at which a root counts: by rounding, its neighbour may miss it.
+/// The distance outside of the piece within which a root still counts. Its neighbour may miss the
+/// root by rounding.
 constexpr double rim = 1e-9;
 
-/// A difference of the net as seen from the box's middle, and by how much other places change it.
+/// A difference of the net as seen from the box's middle, and the most by which it differs as seen
+/// from other places of the box.
 struct direction {
     double x, y, blur;
 };
@@ -81,7 +83,7 @@ std::optional<l3d_scan_root> l3d_scan_piece::find(double x, double y, l3d_scan_r
         const double determinant = ux * vy - uy * vx;
         if (!(determinant != 0))
             return std::nullopt;
-        // Clamped: steps that leave the piece by more than its own size lead nowhere.
+        // Steps that leave the piece by more than its own size lead nowhere, so they are clamped.
         u = std::clamp(u - (fx * vy - fy * vx) / determinant, -1.0, 2.0);
         v = std::clamp(v - (ux * fy - uy * fx) / determinant, -1.0, 2.0);
         if (rests && round > 0 && (u < -rim || u > 1 + rim || v < -rim || v > 1 + rim))
@@ -111,7 +113,7 @@ bool l3d_is_one_to_one(const l3d_image_patch& net, const l3d_image_box& hull) {
             mean.y += d.y;
         }
         const double size = length(mean);
-        // Within 45 degrees of the mean: any two are within a right angle.
+        // If all are within 45 degrees of the mean, any two are within a right angle.
         return std::all_of(all.begin(), all.end(), [&](const direction& d) {
             return d.x * mean.x + d.y * mean.y > (0.7072 * length(d) + 1.71 * d.blur) * size;
         });

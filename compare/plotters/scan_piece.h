@@ -69,9 +69,9 @@ public:
 /// overlap.
 ///
 /// Let c be any point of the image's box. The derivatives of (x, y) - c w are means of the net's
-/// differences. Let the differences along u lie within a right angle, and those along v, too. Let
-/// each pair of one along u and one along v turn the same way. Then all derivatives turn that way,
-/// whatever c is.
+/// differences. The test is that the differences along u lie within a right angle, and so do those
+/// along v, and that each pair of one along u and one along v turns the same way. Then all
+/// derivatives turn that way, whatever c is.
 /// Expects: every w > 0.
 bool l3d_is_one_to_one(const l3d_image_patch& net, const l3d_image_box& hull);
 

@@ -10,7 +10,8 @@
 
 namespace {
 
-/// Pieces with silhouettes are cut to this size, in pixels: then few hold more than one centre.
+/// The size in pixels to which pieces with silhouettes are cut. Few pieces of that size hold more
+/// than one centre.
 constexpr double smallest = 1;
 
 /// The most halvings of a patch in all.

@@ -9,8 +9,8 @@
 
 #include <vector>
 
-/// Draws a patch scan line by scan line. It is cut into pieces whose image is one to one, that is,
-/// which lie between its silhouettes. Pieces with a silhouette are cut down to a pixel's size. The
+/// Draws a patch scan line by scan line. The patch is cut into pieces whose image is one to one, so
+/// no silhouette runs through them. Pieces with a silhouette are cut down to a pixel's size. The
 /// borders of a piece are cut into stretches that rise or fall from end to end, so that each has
 /// one point on a scan line. A guarded Newton's iteration finds these points, and they pair up into
 /// spans. Along a span, the parameters of each pixel start the iteration of the next. In pieces of
@@ -20,7 +20,7 @@
 /// converge is left out and counted as a failure; so there is no bound.
 /// Cost:   0.1 us an iteration, of which a pixel takes two or three.
 /// Source: Lane, Carpenter, Whitted, Blinn, Scan Line Methods for Displaying Parametrically Defined
-///         Surfaces, CACM 23, 1980.
+/// Surfaces, CACM 23, 1980.
 class l3d_scanline_plotter {
 public:
     /// Draws a patch's pixels. Expects: l3d_needs_no_clipping(net, of.view).

@@ -15,12 +15,13 @@ bool is_inside(double u, double v) {
     return u >= 0 && u <= 1 && v >= 0 && v <= 1;
 }
 
-/// One round for two equations f = g = 0. False if their determinant vanishes.
+/// Improves u and v by one round of Newton's iteration for f = g = 0. False if the determinant
+/// vanishes.
 bool improve(double& u, double& v, const std::array<double, 3>& f, const std::array<double, 3>& g) {
     const double d = f[1] * g[2] - f[2] * g[1];
     if (!(d != 0))
         return false;
-    // Clamped: steps that leave the piece by more than its own size lead nowhere.
+    // Steps that leave the piece by more than its own size lead nowhere, so they are clamped.
     u = std::clamp(u - (f[0] * g[2] - f[2] * g[0]) / d, -1.0, 2.0);
     v = std::clamp(v - (f[1] * g[0] - f[0] * g[1]) / d, -1.0, 2.0);
     return true;
@@ -64,8 +65,8 @@ std::vector<l3d_border_turn> l3d_border_turns(const l3d_scan_piece& piece, int s
     return result;
 }
 
-/// The iteration's last step measures its distance from the silhouette, since the determinant has
-/// no unit.
+/// Finds a silhouette on a line. The iteration's last step measures its distance from the
+/// silhouette, since the determinant has no unit.
 std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece, double y,
                                                     l3d_scan_root start, double accuracy,
                                                     int& rounds) {
@@ -88,7 +89,8 @@ std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece,
     return std::nullopt;
 }
 
-/// With y = Y / W: Y_u W - Y W_u = 0, and the same for v.
+/// Finds the points where y is level. With y = Y / W, they have Y_u W - Y W_u = 0, and the same for
+/// v.
 std::vector<l3d_scan_root> l3d_level_points(const l3d_scan_piece& piece, int& rounds) {
     constexpr int places = 5;
     constexpr double same = 1e-6, step_at_rest = 1e-9; // in the parameters

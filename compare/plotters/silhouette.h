@@ -9,21 +9,21 @@
 #include <vector>
 
 /// The determinant of a homogeneous point and its two derivatives, with its own derivatives. Its
-/// sign tells which side of the surface is seen; on a silhouette it is 0.
+/// sign tells which side of the surface is seen. Silhouettes are where it is 0.
 struct l3d_scan_turn {
     double value, by_u, by_v;
 };
 l3d_scan_turn l3d_turn_at(const l3d_scan_piece& piece, double u, double v);
 
-/// A point of a piece's border where a silhouette meets it.
+/// A place where a silhouette meets the border of a piece.
 struct l3d_border_turn {
     int side; ///< v low, v high, u low, u high
     double t; ///< along the side
     l3d_scan_root root;
 };
 
-/// Finds the border turns on the sides, each divided into `samples` equal intervals. Two turns in
-/// the same interval are missed.
+/// Finds the places where silhouettes meet the sides of a piece. Each side is divided into
+/// `samples` equal intervals. Two such places in one interval are missed.
 std::vector<l3d_border_turn> l3d_border_turns(const l3d_scan_piece& piece, int samples);
 
 /// The parameters at t along a side.
@@ -36,8 +36,8 @@ std::optional<l3d_scan_root> l3d_silhouette_on_line(const l3d_scan_piece& piece,
                                                     l3d_scan_root start, double accuracy,
                                                     int& rounds);
 
-/// The highest, lowest and saddle points inside a piece's picture. There y neither rises nor falls,
-/// so two silhouettes begin or end. They are sought from 5 x 5 places.
+/// The highest, lowest and saddle points inside a piece's picture. At these points y neither rises
+/// nor falls, so two silhouettes begin or end. Searches begin at 5 x 5 places.
 std::vector<l3d_scan_root> l3d_level_points(const l3d_scan_piece& piece, int& rounds);
 
 #endif

@@ -31,7 +31,8 @@ void l3d_whitted_plotter::plot(const l3d_image_patch& net, const l3d_plot_task& 
     divide({net}, of);
 }
 
-/// Whether w bends little within the piece, measured in pixels at its depth.
+/// Whether a piece's depth is nearly a plane's: w bends little within it, measured in pixels at its
+/// depth.
 bool l3d_whitted_plotter::is_nearly_flat(const piece& p, const l3d_plot_task& of) const {
     const double least = l3d_depth_range_of(p.net.points).least;
     return l3d_depth_bounds_of(p.net).triangle_error(1, 1) * of.view.focal <=
@@ -79,7 +80,7 @@ void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powe
     for (int side = 0; side < 4; ++side) {
         const l3d_image_curve curve =
             side < 2 ? p.net.row(side == 0 ? 0 : 3) : p.net.column(side == 2 ? 0 : 3);
-        std::array<double, 4> stops{0}; // there are two turns at most
+        std::array<double, 4> stops{0}; // 0, 1, and two turns at most
         std::size_t count = 1;
         for (const l3d_border_turn& turn : turns)
             if (turn.side == side)
@@ -102,8 +103,8 @@ void l3d_whitted_plotter::add_borders(const piece& p, const l3d_scan_piece& powe
     }
 }
 
-/// Adds a silhouette as a cubic from end to end. It has the silhouette's directions there, (-J_v,
-/// J_u), with the length between the ends.
+/// Adds a silhouette as a cubic from end to end. At its ends it has the silhouette's direction,
+/// (-J_v, J_u). These tangents are as long as the distance of the ends.
 void l3d_whitted_plotter::add_silhouette(const l3d_scan_piece& powers,
                                          const std::vector<l3d_border_turn>& turns) {
     const l3d_scan_root &from = turns[0].root, &to = turns[1].root;

@@ -11,11 +11,11 @@
 #include <array>
 #include <vector>
 
-/// Draws a patch as polygons with curved edges. It is cut into pieces whose depth is nearly a
-/// plane's. The edges of a piece are its borders. If a silhouette runs through the piece, a cubic
-/// is an edge, too: it joins the silhouette's two ends with their directions. On each scan line,
-/// Newton's iteration finds the edges from where the line before met them. Between two edges, depth
-/// and normal are interpolated.
+/// Draws a patch as polygons with curved edges. The patch is cut into pieces whose depth is nearly
+/// a plane's. The edges of a piece are its borders. A silhouette that runs through the piece is an
+/// edge, too: a cubic joins its two ends with their directions. On each scan line, Newton's
+/// iteration finds the edges from where the line before met them. Between two edges, depth and
+/// normal are interpolated.
 ///
 /// A failure is an iteration that does not come to rest, an edge without partner, or a piece that
 /// keeps a third end of a silhouette after all cuts. A silhouette that meets no border of its piece

@@ -29,8 +29,8 @@ L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
 /// The contents of a model file as a pipeline draws them: patches as a scene, or polygons.
 using l3d_any_scene = std::variant<l3d_patch_scene, l3d_polygon_model>;
 
-/// Loads a model file as l3d_load_any_model does. Shapes that stand at many places, as in an
-/// assembly, are instances of one model, which takes the memory of one.
+/// Loads a model file as l3d_load_any_model does. A shape that stands at many places, as in an
+/// assembly, becomes one model with many instances, and takes memory once.
 /// Errors: as l3d_load_any_model.
 L3D_PUBLIC l3d_any_scene l3d_load_any_scene(const std::string& file,
                                             std::vector<std::string>* notes = nullptr);

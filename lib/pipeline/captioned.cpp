@@ -39,7 +39,8 @@ void captioned::key_event(int key) {
     follow();
 }
 
-/// Hides the hint on a press: whoever presses a button looks at the picture, not at words upon it.
+/// Hides the hint on a press: a person who presses a button looks at the picture, not at words upon
+/// it.
 void captioned::pointer_event(const l3d_event& event) {
     if (event.type == l3d_event_type::button_press && hint_is_shown()) {
         hint_seconds_ = 0;
@@ -171,7 +172,7 @@ std::vector<l3d_panel> captioned::help_pages() const {
     return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
 }
 
-/// Hints, from the longest to the key alone.
+/// The hints to choose from: the longest first, the key alone last.
 std::vector<l3d_panel> captioned::hints() const {
     constexpr std::size_t most_keys = 4; // as many as users remember
     l3d_panel what, taught;

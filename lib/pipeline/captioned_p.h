@@ -22,7 +22,7 @@ namespace l3d_detail {
 /// last picture.
 ///
 /// For some seconds after the start, a panel tells the subject, the lesson, and some keys. If it
-/// would hide much of the picture, it tells less, down to the key that lists all keys, or nothing.
+/// would hide much of the picture, it tells less: at least the key that lists all keys, or nothing.
 /// The help keys show all keys, page after page, and then hide them. Another panel shows the
 /// pipeline's message.
 ///

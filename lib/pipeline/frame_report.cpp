@@ -32,13 +32,14 @@ std::array<l3d_detail::left_out, 7> reasons_of(const l3d_dice_counts& dice) {
     }};
 }
 
-/// JSON has no infinity; null stands for "no bound can be given".
+/// A number, or null if it is infinite, since JSON has no infinity. Null means that no bound can be
+/// given.
 l3d_detail::json number_or_null(double value) {
     return std::isfinite(value) ? l3d_detail::json(value) : l3d_detail::json(nullptr);
 }
 
-/// The patches over the tolerance. The worst has its number in its model, and its instance's in the
-/// scene, from 0.
+/// The patches over the tolerance, and the worst of them, which is told by two indices: in its
+/// model, and its instance's in the scene.
 l3d_detail::json over_tolerance_of(const l3d_dice_counts& dice) {
     l3d_detail::json result{{"patches", dice.coarse}, {"for_budget", dice.unfinished}};
     if (dice.coarse > 0)

@@ -53,21 +53,21 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
     l3d_dice_counts dice;     ///< patches seen, steps, and the certified bounds
-    /// Pixels that stay from the last frame, as nothing changed there.
+    /// The number of pixels that stay from the last frame, since nothing changed there.
     std::int64_t pixels_kept = 0;
 
-    /// The part of the bounds of places and depth that comes from curved models, whose patches
-    /// approximate surfaces that are not bicubic.
+    /// The error that approximation adds to the bounds of places and depth: patches of curved
+    /// models approximate surfaces that are not bicubic.
     double curved_px = 0;
 
-    /// The number of pixels that the bound of an outline reaches, in which it is not certain what
-    /// is seen. It is none_counted if nobody asked, or if only a part of the picture was drawn.
+    /// The number of pixels in which it is not certain what is seen, since an outline may lie
+    /// there. It is none_counted if nobody asked, or if only a part of the picture was drawn.
     std::int64_t outline_pixels = l3d_surface_counts::none_counted;
 
-    /// The largest part of a pixel's square, from 0 to 1, that may show another surface, or the
-    /// background, than in the exact picture. Surfaces drawn in another place count, the sampling
-    /// of pixels does not. It is infinite if nobody asked for the map of errors, or if places or
-    /// depth have no bound.
+    /// The largest part of a pixel's square, from 0 to 1, that may show another thing than the
+    /// exact picture: another surface, or the background. It includes errors of places, but not
+    /// those of sampling at pixels' centres. It is infinite if nobody asked for the map of errors,
+    /// or if places or depth have no bound.
     double coverage_bound = std::numeric_limits<double>::infinity();
     /// The largest error of any channel in pixels that lie inside one surface, in levels of 255. It
     /// is infinite if nobody asked for the map of errors.
@@ -99,9 +99,10 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< triangles to be ordered
     std::int64_t pairs = 0;     ///< pairs of triangles compared, since they may share pixels
-    std::int64_t knots = 0;     ///< sets that no order of whole triangles paints right
-    std::int64_t knotted = 0;   ///< triangles in the knots
-    std::int64_t cuts = 0;      ///< triangles and pieces cut in two
+    /// Sets of triangles that have no right painting order unless some are cut.
+    std::int64_t knots = 0;
+    std::int64_t knotted = 0; ///< triangles in the knots
+    std::int64_t cuts = 0;    ///< triangles and pieces cut in two
 };
 
 /// Times of the stages of a frame of polygons. Units: milliseconds.

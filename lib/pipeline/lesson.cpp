@@ -7,7 +7,7 @@
 
 namespace {
 
-/// Darker than the viewers' background: the book's colours are made for black.
+/// A ground that is darker than that of viewers, since the book's colours are made for black.
 constexpr l3d_background dark{0x000b0f15, 0x00283241};
 
 } // namespace
@@ -70,7 +70,7 @@ std::string l3d_lesson::message() const {
     return stopped_ ? "stopped; space goes on" : "";
 }
 
-/// Clears by a rectangle with two colours, which every kind of output has.
+/// Covers the picture by a rectangle with two colours, which every kind of output can draw.
 void l3d_lesson::clear(l3d_rasterizer_2d& rasterizer) {
     if (ground_ == l3d_background())
         return rasterizer.clear_buffer();

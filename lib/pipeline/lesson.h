@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
-/// Rows for a program's caption: the keys of every lesson, and the effect of dragging with the
-/// mouse, which `dragging` describes.
+/// Rows for a program's caption: the keys of every lesson, and dragging with the mouse. `dragging`
+/// describes the effect of that.
 L3D_PUBLIC std::vector<l3d_caption_row> l3d_lesson_keys(const std::string& dragging);
 
 /// A pipeline of a world in which time passes: the common part of the book's lessons. The user can
 /// stop time, start again, and take hold of the world with the mouse.
 ///
 /// Pictures have a dark ground, or a black one if the canvas is classic. A subclass draws on top of
-/// the picture before, unless it clears that.
+/// the last picture, or clears it first.
 /// Lives: owns screen and rasterizer.
 class L3D_PUBLIC l3d_lesson : public l3d_pipeline_2d {
 public:
@@ -60,8 +60,8 @@ private:
     virtual void advance(double seconds) = 0;
     /// Puts the lesson back to how it began.
     virtual void restart() = 0;
-    /// Called when the pointer moves with its first button held, and, with a motion of 0, when that
-    /// button is pressed. The pointer is at (x, y) and has moved by (right, down).
+    /// Called when the pointer moves with its first button held. It is also called with a motion of
+    /// 0 when that button is pressed. The pointer is at (x, y) and has moved by (right, down).
     /// Units: pixels.
     virtual void drag(int x, int y, int right, int down);
     /// Called when the wheel turns, by `notches` away from the user.
@@ -75,7 +75,7 @@ private:
     l3d_background ground_;
     bool stopped_ = false;
     bool is_stale_ = true; ///< the picture may differ from the drawn one
-    bool is_bare_ = true;  ///< there is no picture on which the next could lie
+    bool is_bare_ = true;  ///< there is no last picture to draw on
     bool is_held_ = false; ///< the first button is held
     int x_ = 0, y_ = 0;    ///< the pointer's last place
 };

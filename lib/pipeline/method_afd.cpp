@@ -18,7 +18,7 @@ l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d
     : workers_(workers), surface_(rasterizers.create_surface(workers)), used_(surface_.get()),
       dicer_(workers) {}
 
-/// The rasterizer of processors draws what GL cannot: inspection, and fog.
+/// The rasterizer for a shading. Processors draw inspection and fog, which GL cannot.
 template <class T>
 l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(const l3d_shading& shading) {
     const bool is_special = l3d_sees_patches(shading.mode) || shading.fog.is_on();

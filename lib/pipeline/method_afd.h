@@ -47,8 +47,9 @@ private:
 
     l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
-    std::unique_ptr<l3d_surface_rasterizer> inspector_; ///< for inspection, if `surface_` cannot
-    l3d_surface_rasterizer* used_;                      ///< the rasterizer of the last frame
+    /// Draws inspecting shades, if `surface_` cannot.
+    std::unique_ptr<l3d_surface_rasterizer> inspector_;
+    l3d_surface_rasterizer* used_; ///< the rasterizer of the last frame
     l3d_inspected_scene inspected_;
     l3d_detail::laid_pictures pictures_;
     l3d_scene_culling culling_;

@@ -26,10 +26,10 @@ inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) 
 /// Finds places for panels in the part of a picture that is still free. It keeps the largest free
 /// rectangles, which overlap.
 ///
-/// A panel prefers a rectangle that holds it without further wrapping. Among several, it takes the
-/// one in which it comes nearest to its corner of the picture, first in x, then in y. If there is
-/// none, it is wrapped in the largest rectangle that holds it so. Otherwise it gets smaller letters
-/// in the largest rectangle.
+/// A panel goes into a rectangle that holds it without further wrapping. Among several, it takes
+/// the one in which it comes nearest to its corner of the picture, first in x, then in y. If there
+/// is none, the panel is wrapped to fit the largest rectangle that has room for it. Otherwise it
+/// gets smaller letters in the largest rectangle.
 class panel_places {
 public:
     panel_places(const l3d_pixel_box& picture, const l3d_panel_style& style)

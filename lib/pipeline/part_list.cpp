@@ -18,7 +18,7 @@ using l3d_detail::printable;
 constexpr std::array<l3d_color, 8> palette{0x00e69f00, 0x0056b4e9, 0x00009e73, 0x00f0e442,
                                            0x000072b2, 0x00d55e00, 0x00cc79a7, 0x00999999};
 
-/// A name cut to a width: its first letters, and three dots.
+/// A name cut to a width: its first letters, followed by three dots.
 std::string shortened(const std::string& name, int width, const l3d_panel_style& style) {
     const std::string whole = printable(name);
     if (style.font.width(whole, style.size) <= width)
@@ -61,11 +61,12 @@ void l3d_part_list::set_names(std::span<const std::string> names) {
     choose(was_chosen);
 }
 
-/// A group has the parts that follow each other and have its path in common.
+/// Makes the lines of the tree. A group holds parts that follow each other and whose names begin
+/// with its path.
 void l3d_part_list::make_lines() {
     tree_.clear();
     line_of_.clear();
-    std::vector<std::size_t> open; // groups that the last part is in, by their places in tree_
+    std::vector<std::size_t> open; // the groups that the last part is in, as indices in tree_
     std::vector<std::string> path; // their names
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         std::vector<std::string> words;
@@ -171,7 +172,7 @@ void l3d_part_list::set(const l3d_listed_part& part) {
 l3d_pixel_box l3d_part_list::box(l3d_size picture, const l3d_panel_style& style) const {
     if (!is_shown())
         return {};
-    // A wide picture keeps two thirds for the model; sixteen letters tell most names apart.
+    // In a wide picture, two thirds are left for the model. Sixteen letters tell most names apart.
     const int least = 16 * style.size;
     return {0, 0, std::min(std::max(picture.width / 3, least), picture.width / 2), picture.height};
 }

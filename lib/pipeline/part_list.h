@@ -25,17 +25,17 @@ struct L3D_PUBLIC l3d_listed_part {
     friend bool operator==(const l3d_listed_part&, const l3d_listed_part&) = default;
 };
 
-/// The parts of a model, one of which may be chosen, as a list at the left of the picture.
+/// Lists a model's parts at the left of the picture, so that the user can choose, hide and colour
+/// them. It knows no model: its owner shows each part as the list says. Each change returns a line
+/// for people, such as "lid is hidden".
 ///
-/// Slashes in names make a tree: "arm/bolt" stands, moved to the right, below a line "arm" for all
-/// parts of the arm. A click on that line's square hides or shows them all, one with the right
-/// button gives them the next colour, and a double click shows them alone.
+/// A line of the list has a square and the part's name. The square is filled with the part's
+/// colour, or empty if the part is hidden. A name without room ends in three dots. A click on a
+/// name chooses the part, and a double click shows it alone. A click on its square hides or shows
+/// it, and one with the right button gives it the next colour. The wheel scrolls.
 ///
-/// It knows no model: its owner shows each part as the list says. Each change returns a line for
-/// people, such as "lid is hidden". A line of the list has a square, filled with the part's colour
-/// or empty if the part is hidden, and the name; a name without room ends in three dots. A click on
-/// a name chooses the part, a double click shows it alone, a click on its square hides or shows it,
-/// and one with the right button gives it the next colour. The wheel scrolls.
+/// Slashes in names make a tree. "arm/bolt" stands, moved to the right, below a line "arm" for all
+/// parts of the arm. Clicks on that line do to all these parts what they would do to one.
 ///
 /// Lives: a value.
 /// Cost:  a picture draws only the lines that have room. Finding a part by its name looks at all.
@@ -110,9 +110,9 @@ private:
     std::optional<std::size_t> chosen_;
     bool is_shown_ = false, follows_chosen_ = false;
     std::size_t first_ = 0; ///< the uppermost line
-    // The last picture's:
+    // The box, the line's height and the padding are those of the last picture.
     l3d_pixel_box box_;
-    int line_ = 1, padding_ = 0; ///< height of a line, and the way from the box to its text
+    int line_ = 1, padding_ = 0; ///< height of a line; distance from the box to its text
 };
 
 #endif

@@ -23,8 +23,8 @@ struct L3D_PUBLIC l3d_frame_times {
     double write = 0; ///< writing picture files
 };
 
-/// The application: a program derives from this class, and the dispatcher turns outside events
-/// into its calls.
+/// The application: a program derives from this class, and the dispatcher calls its functions when
+/// events come from outside.
 ///
 /// Order:   events first, then update_event, then draw_event, then frame_event, once per frame.
 /// Lives:   borrowed by the dispatcher; owns (or borrows from main) its screen and rasterizer.
@@ -81,14 +81,14 @@ public:
     virtual bool skip_event() { return false; }
 
     /// Whether nothing changes until the next event, however much time goes by. In a window the
-    /// dispatcher then sleeps: no update_event comes, and the time that it slept does not count.
+    /// dispatcher then sleeps. No update_event comes, and the time of the sleep does not count.
     virtual bool is_at_rest() const { return false; }
 
     /// The text of the window's caption, shown until it changes; \n divides its lines. It is "" for
     /// none.
     virtual std::string message() const { return {}; }
 
-    /// The time for which the program stays at rest if no event comes. After that time, or at the
+    /// The longest time that the program stays at rest without an event. After that time, or at the
     /// next event, rest_event is called.
     /// Units:   seconds, more than 0.
     /// Expects: is_at_rest().
@@ -97,8 +97,8 @@ public:
     /// Lets the time of a rest pass, at its end and in place of update_event. Units: seconds.
     virtual void rest_event(double seconds) { static_cast<void>(seconds); }
 
-    /// Whether anything would look different if draw_event were called now. The dispatcher
-    /// neither draws nor shows while this is false and no event came.
+    /// Whether draw_event would now draw another picture than the last one. While this is false and
+    /// no event came, the dispatcher neither draws nor shows.
     virtual bool needs_redraw() const { return true; }
 
     /// One line that the user should read once, such as that fewer threads draw than wanted; "" if
@@ -153,12 +153,14 @@ public:
     /// A ticker for so many steps a second. Expects: per_second > 0.
     explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}
 
-    /// The number of steps due `seconds` after the last call; the rest is kept for the next call.
+    /// The number of steps that are due `seconds` after the last call. A part of a step is kept for
+    /// the next call.
     ///
-    /// It is at most a second's worth, so a program that was stopped does not catch up with hours.
+    /// It is at most the number for one second, so a program that was stopped does not catch up
+    /// with hours.
     int due(double seconds) {
-        // A rounding error is no reason to put off a step. 1/60 s, as a double, times 60 is 1, but
-        // a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
+        // A step is not put off because of a rounding error. 1/60 s, as a double, times 60 is 1,
+        // but a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
         // nobody sees it.
         constexpr double slack = 0x1p-20;
         steps_ = std::min(steps_ + std::max(seconds, 0.0) * per_second_, per_second_);

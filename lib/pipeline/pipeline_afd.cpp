@@ -26,15 +26,16 @@
 
 namespace {
 
-/// With the map of doubt, normals of curved models may have an eighth of the usual error: two
-/// levels more. The map tells folds only as exactly as normals are known, and otherwise doubts
+/// How much finer normals of curved models are with the map of doubt: an eighth of the usual error,
+/// two levels more. The map tells folds only as exactly as normals are known, and otherwise doubts
 /// whole tiles. One level does for spheres and tori, two for a hull with cusps (docs/NUMERICS.md,
 /// section 25).
 constexpr double finer_for_map = 8;
 
-/// The part of the tolerance that curved models may take where there are trims: their polygons have
-/// corners by the root of it. Dicing gets what errors leave (docs/NUMERICS.md, section 27). The map
-/// of doubt says little beside borders that are off so far, so it keeps the usual part.
+/// The part of the tolerance that curved models may take where there are trims. Polygons that stand
+/// for trims have corners by the root of it. Dicing gets the part that errors leave
+/// (docs/NUMERICS.md, section 27). With the map of doubt, curved models keep the usual part, since
+/// the map says little beside borders that are off so far.
 constexpr double trimmed_share = 0.25;
 
 using l3d_detail::stopwatch;
@@ -48,7 +49,7 @@ void check_method(const l3d_method_factory& method, const l3d_patch_scene& scene
                         "trimmed surfaces: " + method.name() + " draws whole ones alone");
 }
 
-/// Creates the rasterizer of lines and text for a screen, once it is known that a picture can be
+/// Creates the rasterizer of lines and text for a screen. First it makes sure that a picture can be
 /// drawn.
 std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
                                                  l3d_screen& screen, const l3d_camera& camera,
@@ -151,8 +152,8 @@ void l3d_pipeline_afd::draw_event() {
         draw_wireframe(now.shading);
     else
         fill_surfaces(now, parts, times);
-    // If a part was short of budget, the whole frame is drawn. The part may have had a larger share
-    // of the budget than in a whole frame, and the rest a smaller one.
+    // If the budget of a part did not suffice, the whole frame is drawn. The part may have had a
+    // larger share of the budget than in a whole frame, and the rest a smaller one.
     if (report_.pixels_kept > 0 && report_.dice.unfinished > 0 && !changed_.empty()) {
         changed_ = l3d_whole(stages_->view.size);
         fill_surfaces(now, l3d_pixel_boxes(changed_), times);
@@ -203,7 +204,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     const bool is_curved = scene_.is_curved();
     stages_->transform = l3d_image_transform(camera_, target.size(), scene_);
     double of_dicing = settings_.tolerance * (is_curved ? 1 - share : 1);
-    if (is_trimmed) // errors are less than their share by up to a factor of 4
+    if (is_trimmed) // errors may be less than their share by a factor of up to 4
         of_dicing = std::max(of_dicing, settings_.tolerance - stages_->curved.places_px);
     stages_->view = stages_->transform.view(of_dicing);
     stages_->view.shade_tolerance =
@@ -224,7 +225,7 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
     shading.keep_unit_normals = settings_.keep.unit_normals;
     shading.antialias = settings_.antialias;
     shading.background = settings_.background;
-    if (!l3d_has_scale(settings_.shade)) // viewers may change to such a shade while there is fog
+    if (!l3d_has_scale(settings_.shade)) // while there is fog, viewers may change to such a shade
         shading.fog = settings_.fog;
     if (l3d_is_inspection(settings_.shade))
         shading.inspection = inspection();
@@ -244,9 +245,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .error_map = settings_.error_map};
 }
 
-/// The parts of the picture to draw: none if it is right as it is. The whole picture is drawn for
-/// two reasons. Earlier drawing on top, whose place is unknown, may have to go. Or the parts have
-/// three quarters of the pixels, and so cost nearly as much (docs/SPEED.md).
+/// The parts of the picture to draw; none if the picture is right as it is. There are two reasons
+/// to draw the whole picture. Earlier drawing on top, whose place is unknown, may have to go. Or
+/// the parts have three quarters of the pixels, and so cost nearly as much (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)
@@ -343,12 +344,12 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
                                        ? settings_.own.error + shade_bound_of_fog()
                                        : std::numeric_limits<double>::infinity();
     }
-    // The sum may exceed the quads: one may be unproven for two reasons, and counts in each band
-    // that it reaches.
+    // The sum may exceed the number of quads. A quad may be unproven for two reasons, and it counts
+    // in each band that it reaches.
     report_.dice.unproven_quads = std::min(report_.dice.unproven_quads, report_.surface.quads);
     keep_bounds(kept);
-    // Each part counts all patches of the scene, and those it does not touch as unchanged. A patch
-    // that reaches into several parts counts as drawn in each.
+    // Each part counts all patches of the scene. Patches that it does not touch count as unchanged,
+    // and patches that reach into several parts count as drawn in each.
     const auto more = static_cast<std::int64_t>(parts.boxes().size()) - 1;
     report_.dice.unchanged =
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
@@ -379,8 +380,8 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
 }
 
 /// Adds the bounds of the kept pixels to the report. A whole frame might have diced further patches
-/// beside the parts, or patches that earlier batches do not hide. All that is known of these
-/// patches is that their steps would keep the tolerance.
+/// beside the parts, or patches that earlier batches do not hide. Only one thing is known of these:
+/// their steps would keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
     if (report_.pixels_kept > 0) {
@@ -444,7 +445,8 @@ void l3d_pipeline_afd::draw_on_top(const l3d_shading& shading) {
         changed_ = l3d_whole(stages_->view.size);
 }
 
-/// Lines hide nothing and have no depth, so a depth that is asked for is cleared.
+/// Draws the wireframe. Its lines hide nothing and have no depth, so a depth that is asked for is
+/// cleared.
 void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     const auto nothing_is_hidden = [](const l3d_subpixel_box&, float) { return false; };
     untouched_ = false;
@@ -455,7 +457,7 @@ void l3d_pipeline_afd::draw_wireframe(const l3d_shading& shading) {
     const l3d_patch_scene there = what_is_there();
     stages_->wire_culling.begin(there, stages_->transform.matrix(), stages_->view);
     l3d_dice_view view = stages_->view;
-    view.shading.antialias = settings_.antialias; // so that shared borders are noted
+    view.shading.antialias = settings_.antialias; // makes dicing note shared borders
     stages_->wire_dicer.begin(view);
     l3d_detail::wire_picture picture(rasterizer_, screen_->pixels(), shading, settings_.antialias,
                                      screen_->text_scale());

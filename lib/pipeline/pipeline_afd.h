@@ -31,9 +31,10 @@ class l3d_pixel_boxes;
 /// Switches that make a frame do work that it could skip; the picture is the same, or as good. Only
 /// benchmarks set them, to measure what each rule saves.
 struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
-    bool unit_normals = false; ///< lambert: a unit normal in each pixel, also where a plane would
-                               ///< do
-    bool drawing = false;      ///< draws a frame again, even if nothing changed
+    /// Whether mode lambert makes a unit normal in each pixel, even where levels could be
+    /// interpolated.
+    bool unit_normals = false;
+    bool drawing = false; ///< draws a frame again, even if nothing changed
 
     /// All of this work, as if no rule could skip any.
     static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
@@ -100,17 +101,18 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Whether the control nets are drawn on top.
     bool net = false;
 
-    /// Whether edges are drawn as black lines, where no surface hides them: those at which trimmed
-    /// faces end, or else all sides of patches that are open or creased, and borders of trims.
+    /// Whether edges are drawn as black lines, where no surface hides them. Edges are where trimmed
+    /// faces end. A model without these has borders of trims, and sides of patches that are open or
+    /// creased.
     bool edges = false;
 
     /// Work that is done although it could be skipped.
     l3d_kept_work keep{};
 
-    /// Whether surfaces show only their front, the side that dS/du x dS/dv points to. A patch, or a
-    /// sixteenth of a large one, is left out if all of it turns its back to the eye. A back in the
-    /// same piece as a front stays. The model decides which side is the front, not its placement,
-    /// so a mirrored model shows the same side.
+    /// Whether surfaces show only their front, the side that dS/du x dS/dv points to. A patch is
+    /// left out if all of it turns its back to the eye, and so is a sixteenth of a large patch. A
+    /// back in the same piece as a front stays. The model decides which side is the front, not its
+    /// placement, so a mirrored model shows the same side.
     bool one_sided = false;
 
     /// Whether the distance of each pixel is kept, for depth().
@@ -131,9 +133,9 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool error_map = false;
 
     /// The plane of the world that cuts the scene open: surfaces and lines are drawn in front of it
-    /// alone. The cut is exact in the drawn surface: a point in the picture is as near to the exact
-    /// surface as any other. Cut bodies are open, and show their inside. Only the library's own
-    /// method draws it. A frame with a section has no outlines() and no error_map().
+    /// alone. Places along the cut are as near to the exact surface as all others. Cut bodies are
+    /// open, and show their inside. Only the library's own method draws it. A frame with a section
+    /// has no outlines() and no error_map().
     std::optional<l3d_plane<double>> section{};
 
     /// The number of drawing threads, as for l3d_workers. It is constant from the first frame
@@ -145,7 +147,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_method_factory method{};
 };
 
-/// The reason why these values cannot be drawn with, naming the one at fault; "" if they can.
+/// The reason why these values cannot be used to draw, naming the one at fault; "" if they can.
 L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
                                          const l3d_afd_settings& settings);
 
@@ -181,13 +183,13 @@ public:
     /// camera and settings say then. A program with a dispatcher calls redraw() after a change of
     /// camera or settings. Only the pipeline calls the scene's forget_changes().
     l3d_patch_scene& scene() { return scene_; }
-    /// Lines in space, drawn on the finished surfaces and on the lines of the scene's models; a
+    /// Lines in space, drawn over the finished surfaces and over the lines of the scene's models; a
     /// reference to change them. After a change, call redraw().
     ///
-    /// A surface hides what lies behind it, pixel by pixel, also if it is transparent. Lines that
-    /// lie on a surface are seen whole, since the test allows for the slope of the surface and for
-    /// twice the tolerance. Curves are drawn within the tolerance, with the fog, and smooth if
-    /// edges are. Later lines lie on earlier ones, and nothing hides any in a wireframe.
+    /// A surface hides the lines behind it, pixel by pixel, also if it is transparent. A line that
+    /// lies on a surface is seen whole, since the test allows for the surface's slope and for twice
+    /// the tolerance. Curves are drawn within the tolerance, with the fog, and smooth if edges are.
+    /// Later lines lie on earlier ones. In a wireframe nothing hides a line.
     /// Cost: each frame with lines is drawn whole and keeps its depth.
     std::vector<l3d_space_curve>& curves() { return curves_; }
     /// The eye that the next frame is drawn for; a reference to change it.
@@ -274,7 +276,7 @@ protected:
     /// The certified bound of what has been drawn in this frame. Units: pixels.
     double bound() const { return report_.dice.bound_px; }
 
-    /// The picture, to be written to in draw_overlay and paint_surfaces. After this call, the next
+    /// The picture, for draw_overlay and paint_surfaces to write into. After this call, the next
     /// frame that differs is drawn whole.
     l3d_pixels pixels() {
         touch();

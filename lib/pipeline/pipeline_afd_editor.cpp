@@ -14,7 +14,7 @@ namespace {
 using l3d_detail::formatted;
 using l3d_detail::stopwatch;
 
-/// A press of a key changes a weight by this factor, as a notch of the wheel does.
+/// The factor by which a press of a key changes a weight, as a notch of the wheel does.
 constexpr double key_weight = 1.1;
 
 } // namespace
@@ -44,7 +44,7 @@ void l3d_pipeline_afd_editor::edit(const l3d_patch_model& model,
 }
 
 /// Shows or hides the handles. While they are shown, the screen reports all motion of the pointer,
-/// which may come over one.
+/// since it may come over a handle.
 void l3d_pipeline_afd_editor::show_handles(bool shown) {
     is_editing_ = shown;
     settings().depth = shown || settings().depth; // tells which lines are hidden
@@ -73,7 +73,7 @@ l3d_handle_view l3d_pipeline_afd_editor::handle_view() {
 
 void l3d_pipeline_afd_editor::pointer_event(const l3d_event& event) {
     using effect = l3d_control_handles::effect;
-    // Presses with Ctrl or Shift keep their meaning: they measure places, or move the eye.
+    // Presses with Ctrl or Shift keep their usual meaning: measuring places, or moving the eye.
     const bool is_free =
         event.type == l3d_event_type::button_press && (event.control || event.shift);
     const effect what =
@@ -113,7 +113,7 @@ void l3d_pipeline_afd_editor::reshape() {
     is_changed_ = false;
 }
 
-/// Makes the model once for all events of a frame.
+/// Draws a frame. It makes the model anew once for all events since the last frame.
 void l3d_pipeline_afd_editor::draw_event() {
     if (is_changed_)
         reshape();
@@ -125,7 +125,8 @@ void l3d_pipeline_afd_editor::draw_overlay() {
         handles_->draw(rasterizer(), handle_view(), settings().wireframe ? nullptr : &depth());
 }
 
-/// Times are for people in a window: pictures in files shall be the same each time.
+/// The panel about handles. It tells times only in a window, since pictures in files shall be the
+/// same each time.
 l3d_standing_panel l3d_pipeline_afd_editor::standing_panel() {
     l3d_panel panel;
     if (!is_editing_)

@@ -87,7 +87,7 @@ public:
     /// The effect of an event.
     enum class effect {
         none,    ///< the event means nothing to handles
-        seen,    ///< the picture of handles is old, the surfaces are the same
+        seen,    ///< only the picture of handles is old; the surfaces are the same
         changed, ///< the surfaces have changed
     };
     /// Handles an event of the pointer: drags a handle or changes its weight, and marks the one
@@ -127,15 +127,15 @@ private:
     std::optional<std::size_t> marked_;
     std::optional<grab> grab_; ///< the hold on the marked handle
     std::vector<state> undo_;
-    /// The change in progress. More of the same change adds no further state to undo.
+    /// The change that is going on. Further steps of the same change add no state to undo.
     std::optional<std::pair<std::size_t, change>> going_on_;
 };
 
 /// l3d_pipeline_afd_viewer with l3d_control_handles on its model, and keys that show them, undo and
 /// save. A panel tells the bound, times, and the handle under the pointer.
 ///
-/// Expects: the scene is one opaque instance at its own place; else the key for handles says why it
-///          shows none.
+/// Expects: the scene is one opaque instance at its own place. For any other scene, the key for
+///          handles says why it shows none.
 /// Cost:    after a change the whole model is made again before the next frame, some 10 us a
 ///          bicubic patch, and more for other pieces. The panel tells the time.
 class L3D_PUBLIC l3d_pipeline_afd_editor : public l3d_pipeline_afd_viewer {

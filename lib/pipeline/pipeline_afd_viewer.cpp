@@ -84,7 +84,7 @@ void l3d_pipeline_afd_viewer::take_next_shade() {
                        : ""));
 }
 
-/// Takes the next inspecting shade; light follows the last one.
+/// Takes the next inspecting shade; after the last one, light.
 void l3d_pipeline_afd_viewer::take_next_inspection() {
     if (!settings().method.is_default())
         return controls_.say("no exact derivatives of " + settings().method.name());
@@ -98,7 +98,7 @@ void l3d_pipeline_afd_viewer::take_next_inspection() {
     controls_.say(std::string("shading: ") + next.first);
 }
 
-/// Wireframe shows the steps of one method, so other methods refuse it.
+/// Shows or hides the wireframe. It shows dicing steps, so other methods refuse it.
 void l3d_pipeline_afd_viewer::switch_wireframe() {
     if (settings().method.is_default())
         settings().wireframe = !settings().wireframe;
@@ -150,7 +150,7 @@ void l3d_pipeline_afd_viewer::rest_event(double seconds) {
         redraw();
 }
 
-/// Draws a frame and measures its pace; a kept picture with other words on top does not count.
+/// Draws a frame and measures its pace. A kept picture with other words on top does not count.
 void l3d_pipeline_afd_viewer::draw_event() {
     controls_.pace().begin();
     l3d_pipeline_afd::draw_event();
@@ -176,8 +176,8 @@ void l3d_pipeline_afd_viewer::draw_panels() {
     controls_.draw(rasterizer(), lines, key, standing);
 }
 
-/// The scale of the shade's colours. That of the error is for windows alone; pictures in files have
-/// a scale of inspection if they ask for it.
+/// The scale of the shade's colours. Only windows show the scale of the error. Pictures in files
+/// have the scale of an inspection if they ask for it.
 l3d_panel l3d_pipeline_afd_viewer::legend() {
     l3d_panel result;
     const bool is_filled = !settings().wireframe && !settings().drawing;

@@ -53,7 +53,7 @@ public:
     void show_all();
 
 private:
-    /// An instance's own model, and the model of shown parts in its place.
+    /// An instance's own model, and the model of its shown parts that stands in for it.
     struct taken {
         l3d_patch_model whole, shown;
     };

@@ -26,9 +26,9 @@ struct l3d_dice_view;
 /// Lives: everything that it refers to must outlive the frame.
 struct L3D_PUBLIC l3d_method_frame {
     const l3d_patch_scene& scene; ///< the scene to draw
-    /// The scene's materials, whose places are l3d_patch_scene::material_of; none if all is white.
+    /// The scene's materials, indexed by l3d_patch_scene::material_of; none if all is white.
     std::span<const l3d_material> materials;
-    const l3d_camera& camera;           ///< the eye
+    const l3d_camera& camera;           ///< the camera
     const l3d_matrix<double>& to_image; ///< world to image; for the library's own methods
     const l3d_dice_view& view;          ///< for them, too; others use the camera's image_matrix
     const l3d_shading& shading;         ///< light, and the way to shade
@@ -84,12 +84,13 @@ public:
     /// The counts of the last frame's filling, covered pixels among them.
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
-    /// The pixels that outlines reach in the last frame. It is null if the frame did not ask for
-    /// them, or was only a part of a picture. Methods that do not find them give null, too.
+    /// The pixels of the last frame in which it is not certain what is seen, since an outline may
+    /// lie there. It is null if the frame did not ask for them, or was only a part of a picture.
+    /// Methods that do not find them give null, too.
     const l3d_pixel_bits* outlines() const { return do_outlines(); }
 
 protected:
-    /// The value of l3d_surface_counts::covered, given the depth of all that was drawn.
+    /// The value of l3d_surface_counts::covered, from the depth of everything drawn in the frame.
     static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
         return frame.counts_pixels ? l3d_covered(depth) : l3d_surface_counts::none_counted;
     }
@@ -124,10 +125,10 @@ public:
     /// The factory of the library's own method.
     l3d_method_factory();
 
-    /// A factory of methods that `create` makes. Reports and messages call them by `name`.
-    /// `has_bound` says that their counts bound the error, which mode `error` needs.
+    /// Makes factories of methods that `create` makes. Reports and messages call these methods by
+    /// `name`. `has_bound` says that their counts bound the error, which mode `error` needs.
     /// `draws_parallel` says that they draw parallel projections, with the depths that l3d_shading
-    /// has there; other methods are not asked to.
+    /// has there; other methods get no such frames.
     l3d_method_factory(std::string name, create_call create, bool has_bound = false,
                        bool draws_parallel = false);
 

@@ -18,7 +18,8 @@ constexpr double drag_turn = 1; // degrees for a pixel
 constexpr double notch_zoom = 1.1;
 /// Factor of zoom for a pixel of a drag: 70 pixels double it.
 constexpr double pixel_zoom = 1.01;
-/// Just beyond the sine at which l3d_camera::orbit stops, 0.02.
+/// The sine to the pole that turning keeps: just beyond the one at which l3d_camera::orbit stops,
+/// 0.02.
 constexpr double sine_beside_pole = 0.021;
 
 /// The ratio of the picture's height to its smaller side.
@@ -86,7 +87,7 @@ void l3d_view_steering::pan(double right, double down) {
 void l3d_view_steering::approach(double factor, const vector& place) {
     l3d_camera there = camera_;
     there.approach(factor, place);
-    // The place must stay beyond the near plane, or it would not be drawn.
+    // The place must stay beyond the near plane, since it would not be drawn in front of it.
     const bool is_seen = factor > 1 || depth_of(place) * factor >= 2 * camera_.near_z;
     if (is_seen && there.is_valid())
         camera_ = there;
@@ -115,8 +116,8 @@ void l3d_view_steering::look_from_opposite() {
         camera_.orbit(180, 0);
 }
 
-/// Moves the eye a little off the pole, where turning has an upright direction again. The picture
-/// stays as upright as it was.
+/// Moves the eye a little off the pole, since at the pole turning has no upright direction. The
+/// picture stays as upright as it was.
 void l3d_view_steering::leave_pole() {
     if (!sees_along_up())
         return;

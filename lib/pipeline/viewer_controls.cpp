@@ -204,8 +204,8 @@ bool l3d_viewer_controls::pointer(const l3d_event& event) {
 
 namespace {
 
-/// The angle of two normals in words. Errors of length e change it by at most 2 asin(e / 2), and by
-/// rounding.
+/// The angle between two normals in words. Errors of length e change it by at most 2 asin(e / 2),
+/// and by rounding.
 std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
     const double sine = l3d_length(l3d_cross(a.normal, b.normal));
     const double cosine = l3d_dot(a.normal, b.normal);
@@ -220,7 +220,8 @@ std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
 
 } // namespace
 
-/// Measures a place; every second click ends a distance.
+/// Measures at a place. Each first click tells the place, and each second click the distance from
+/// there.
 void l3d_viewer_controls::measure(double x, double y) {
     if (!viewed_.place_at)
         return;
@@ -312,8 +313,8 @@ void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
 }
 
-/// Places the panels. The message has room first; help follows it if the others would leave too
-/// little.
+/// Places and draws the panels. The message gets its place first. Help follows it if it would find
+/// too little room after the others.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
     draw_marks(rasterizer);
@@ -353,7 +354,8 @@ namespace {
 
 constexpr std::chrono::seconds span{1};
 
-/// The number of pictures that began before the last one, or 1 for a single picture.
+/// The number of pictures that count: those that began before the last one, or 1 for a single
+/// picture.
 template <class Pictures>
 std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point begin) {
     return done.size() - (done.size() > 1 && done.back().begin == begin ? 1 : 0);
@@ -398,7 +400,7 @@ std::string l3d_picture_pace::text() const {
     const double rate = per_second();
     if (rate == 0)
         return formatted("drawn in %.1f ms", milliseconds());
-    constexpr double few = 10; // tenths of fewer matter
+    constexpr double few = 10; // tenths matter below this rate
     return formatted("%.*f pictures a second, each drawn in %.1f ms", rate < few ? 1 : 0, rate,
                      milliseconds());
 }

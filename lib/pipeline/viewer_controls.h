@@ -33,8 +33,8 @@ struct L3D_PUBLIC l3d_pointed_place {
     double normal_error = 0; ///< the length of the normal's difference from the exact one
 };
 
-/// The questions that the controls ask a viewer about its picture. An empty function leaves out the
-/// controls that need it.
+/// Functions that answer the controls' questions about a viewer's picture. An empty function leaves
+/// out the controls that need it.
 struct L3D_PUBLIC l3d_viewed {
     /// Makes the camera that shows everything along the line of sight of the given one.
     std::function<l3d_camera(const l3d_camera&)> framed{};
@@ -92,8 +92,9 @@ public:
     /// Returns false if nothing is there.
     bool turn_about(double x, double y);
 
-    /// The position of a place of the world in the picture, as rasterizers count: whole numbers are
-    /// the middles of pixels. The result is nothing if the place is nearer than the near plane.
+    /// The position of a place of the world in the picture, in the coordinates of rasterizers:
+    /// whole numbers are the middles of pixels. The result is nothing if the place is nearer than
+    /// the near plane.
     std::optional<l3d_point_2d> position(const vector& place) const;
 
     /// Turns, moves or zooms when a button goes down, the pointer moves or the wheel turns. Returns
@@ -118,7 +119,7 @@ private:
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the program's own view, without a home
-    l3d_camera kept_;  ///< view set by home or frame; camera_ differs once it was moved
+    l3d_camera kept_;  ///< the view that home or frame set; camera_ differs once it was moved
     bool is_home_ = false, is_framed_ = false; ///< whether home or frame set kept_
     vector upright_;                           ///< the model's own, whatever the picture shows
     vector up_; ///< the eye's axis of turning: upright_, unless rolled
@@ -130,7 +131,8 @@ private:
 };
 
 /// Measures the time that pictures take, and their rate, over the last second. Both are means over
-/// the same pictures, by one clock, so no picture seems to take longer than the time to the next.
+/// the same pictures, by one clock. So the mean time of a picture never exceeds the time between
+/// two.
 ///
 /// A second without a picture counts as rest, and the rate begins anew with the next two pictures.
 class L3D_PUBLIC l3d_picture_pace {
@@ -150,7 +152,8 @@ public:
 
     /// The time that drawing a picture takes. Units: milliseconds. 0 before the first end().
     double milliseconds() const;
-    /// Pictures a second, from the first that counts to the last begin(). 0 at rest.
+    /// Pictures a second. It counts from the first picture of the last second to the last begin(),
+    /// and is 0 at rest.
     double per_second() const;
     /// Both numbers as text for people. At rest it is the time alone, and "" before the first
     /// end().
@@ -190,16 +193,16 @@ struct L3D_PUBLIC l3d_standing_panel {
 /// Lives: borrows pipeline, screen and camera.
 class L3D_PUBLIC l3d_viewer_controls {
 public:
-    /// Makes the controls of a viewer. `rows` are the viewer's own. `reset` undoes its changes of
-    /// the view beside the camera, and may be empty. `viewed` answers questions about the picture.
-    /// `font` has the letters of all panels.
+    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. `reset` undoes the
+    /// viewer's own changes of the view, other than those of the camera; it may be empty. `viewed`
+    /// answers questions about the picture. `font` has the letters of all panels.
     /// Expects: no key is in two rows, those of this class included.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
                         l3d_viewed viewed = {}, l3d_font font = {});
 
-    /// Lets the eye turn around the target by this angle per frame. Where time is measured, it is
-    /// the angle per 1 / fps of a second. The first frame is not turned.
+    /// Lets the eye turn around the target by this angle per frame. If time is measured, it turns
+    /// by this angle in each 1 / fps of a second. The first frame is not turned.
     /// Units: degrees; frames a second.
     void set_turntable(double degrees_per_frame, double fps) {
         turntable_degrees_ = degrees_per_frame * fps;
@@ -288,8 +291,8 @@ public:
     /// The line of say(); "" if there is none.
     const std::string& message() const { return message_; }
 
-    /// Sets the reason why the picture is empty, a text of l3d_why_unseen; "" if it is not empty.
-    /// The reason is shown with `key`, which mends it; 0 if no key does.
+    /// Tells why the picture is empty, by a text of l3d_why_unseen; "" if it is not empty. The
+    /// viewer shows the reason with the key that mends it; `key` is 0 if none does.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())

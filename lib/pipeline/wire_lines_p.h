@@ -37,7 +37,7 @@ public:
     }
 
 private:
-    /// Adds the sides of quads that triangles do not replace.
+    /// Adds the sides of all quads that are not replaced by triangles.
     void add_uncut(const l3d_micro_grid& g) {
         for (int r = 0; r + 1 < g.rows; ++r)
             for (int c = 0; c + 1 < g.columns; ++c) {
@@ -60,10 +60,10 @@ private:
             }
     }
 
-    /// Adds the lines along a part's four sides. A side with a noted border is drawn as this
-    /// border, which the neighbour shares. The grid's own line differs from the border by a part of
-    /// the tolerance, and two such lines would look like one too bright line. The triangles of
-    /// the slit between them are not seen.
+    /// Adds the lines along a part's four sides. If the neighbour's border along a side is noted,
+    /// it is drawn in place of the grid's own line, so that both parts draw the same line. Grid and
+    /// border differ by a part of the tolerance, and two such lines would look like one too bright
+    /// line. The triangles of the slit between them are not seen.
     void add_rim(const l3d_surface_part& part) {
         std::array<bool, 4> noted{};
         for (const l3d_border_edge& e : part.border) {

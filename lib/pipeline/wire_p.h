@@ -117,9 +117,9 @@ private:
 
 /// Draws a picture of lines that hide nothing, before a background, in fog if there is any.
 ///
-/// Without a background, and in fog, it first draws how much of each pixel lines cover; finish()
-/// colours the pixels by that (line_cover_p.h). In fog, the nearest line decides how dim a pixel
-/// is.
+/// Without a background, or in fog, it first draws how much of each pixel is covered by lines. Then
+/// finish() colours the pixels by that cover (line_cover_p.h). In fog, the nearest line decides how
+/// dim a pixel is.
 class wire_picture {
 public:
     /// Clears the picture. Units: `width` as in wire_drawer.

@@ -14,8 +14,8 @@
 
 class l3d_patch_scene;
 
-/// The least near distance, and the least distance of the target from the eye. Depth is kept as
-/// 1 / distance in a float, which goes up to 3e38.
+/// The smallest near_z that is allowed, and the smallest distance of the target from the eye. Depth
+/// is kept as 1 / distance in a float, which goes up to 3e38.
 inline constexpr double l3d_least_distance = 1e-32;
 
 /// The largest magnitude of an eye's coordinates. The largest models reach to 1e12, and are still
@@ -135,8 +135,8 @@ struct L3D_PUBLIC l3d_camera {
     vector place_at(double x, double y, double depth, l3d_size size) const;
 };
 
-/// A function for the reach of a thing along a direction: the largest dot product of the direction
-/// with any of its points. Without points it is minus infinity.
+/// A function that tells how far a thing reaches along a direction: the largest dot product of the
+/// direction with any of its points. Without points it is minus infinity.
 using l3d_reach = std::function<double(const l3d_vector<double, 3>& direction)>;
 
 /// The reach of the surfaces of a scene, not of their control points. It is too large by at most
@@ -149,9 +149,9 @@ L3D_PUBLIC l3d_reach l3d_reach_of(const l3d_patch_scene& scene);
 inline constexpr double l3d_framed_share = 0.85;
 
 /// The camera that shows all of a model in a picture of that size. It keeps the line of sight's
-/// direction, `up` and `fov`. The model fills l3d_framed_share of the width or of the height, and
-/// no more of the other. The target is in the middle of the model's depth. `near_z` becomes smaller
-/// if the model is too small or near for it.
+/// direction, `up` and `fov`. The model fills l3d_framed_share of the picture's width or of its
+/// height, and at most this share of the other. The target is in the middle of the model's depth.
+/// `near_z` becomes smaller if the model is too small or near for it.
 ///
 /// In a parallel projection, the eye's distance from the target sets the scale.
 /// Expects: a valid camera.
@@ -179,10 +179,11 @@ inline constexpr const char* l3d_smaller_than_a_pixel = "smaller than a pixel";
 inline constexpr const char* l3d_too_small =
     "too small for any view, whose eye is 1e-32 away at least";
 
-/// The answer of pipelines for a model whose faces or patches are all points or lines.
+/// The reason that pipelines give for a model whose faces or patches are all points or lines.
 inline constexpr const char* l3d_without_area = "without any area";
 
-/// The camera itself if l3d_shows_well, else that of l3d_framed. Expects, Errors: as these two.
+/// The camera itself if l3d_shows_well, else the camera that l3d_framed makes of it. Expects,
+/// Errors: as these two functions.
 L3D_PUBLIC l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach);
 

@@ -14,9 +14,9 @@ struct l3d_frame_lights {
     l3d_lighting lighting;    ///< the first light's colour, and further lights
 };
 
-/// The light of a lone lamp that goes with the eye. It shines over the right shoulder, as
-/// l3d_usual_light does in the programs' first view of the teapot. Ambient light and the first
-/// light's colour are those of `lighting`.
+/// The light of a single lamp that goes with the eye. It shines over the right shoulder, as
+/// l3d_usual_light does in the programs' first view of the teapot. `lighting` gives the ambient
+/// light and the lamp's colour.
 /// Expects: camera.is_valid().
 l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
 

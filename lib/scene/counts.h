@@ -40,8 +40,8 @@ struct L3D_PUBLIC l3d_coarse_patch {
     }
 };
 
-/// Proven error bounds of a diced piece, besides that of places in the picture. A bound is infinite
-/// where nothing is proven.
+/// Proven error bounds of a diced piece in depth, shade and normals. The bound of places in the
+/// picture is kept elsewhere. A bound is infinite where nothing is proven.
 struct L3D_PUBLIC l3d_surface_certificate {
     /// The distance of chords from the exact surface, along its normal at the same parameters.
     /// Units: pixels at that depth.
@@ -51,15 +51,15 @@ struct L3D_PUBLIC l3d_surface_certificate {
     /// The length of the difference between interpolated normals and the exact unit normals at the
     /// same parameters. It is for vertices that have normals instead of levels; `shade` is then 0.
     double normal = 0;
-    /// Quads that `shade` does not cover, since their block may exceed the tolerance. Its normals
-    /// turn faster than quads of six pixels can follow, or a normal vanishes. Slits beside such a
-    /// block count as one quad.
+    /// The number of quads that `shade` does not cover, since their block may exceed the tolerance.
+    /// This happens where normals turn faster than quads of six pixels can follow, or where a
+    /// normal vanishes. Slits beside such a block count as one quad.
     std::int64_t unproven_quads = 0;
-    /// The blocks that are seen and may have places without a normal: bit 4 * row + column, or bit
-    /// 0 if the piece is one block.
+    /// The blocks that are seen and may have places without a normal. A block's bit is 4 * row +
+    /// column, or bit 0 if the piece is one block.
     unsigned without_normals = 0;
-    /// The error of depth in the blocks of `without_normals`, without the distance of corners from
-    /// a plane (l3d_most_off_plane).
+    /// The error of depth in the blocks of `without_normals`. It leaves out the distance of corners
+    /// from a plane (l3d_most_off_plane).
     double depth_without_normals = 0;
 
     /// Adds to `depth` the error of vertices and, in blocks without normals, the distance of
@@ -83,8 +83,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
     std::int64_t in_lanes = 0;    ///< grids made by l3d_lane_dicer
     std::int64_t samples = 0;     ///< vertices evaluated
-    std::int64_t failures = 0;    ///< pixels left out as an iteration did not converge
-    double near_z = 0;            ///< the farthest near plane of a patch, in w; 0: the view's
+    std::int64_t failures = 0;    ///< pixels left out because an iteration did not converge
+    double near_z = 0;            ///< the farthest near plane that a patch got, in w; 0: the view's
     double bound_px = 0;          ///< certified image error of all that was drawn
     std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
     std::int64_t unfinished = 0;  ///< coarse patches that a larger budget would make finer
@@ -95,28 +95,29 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// Units: pixels at that depth.
     double depth_bound_px = 0;
 
-    /// The distance, in pixels, between edges that may be seen and the faces that end at them in
-    /// the model (l3d_trim_curve::edge). It is measured, and part of the bounds above.
+    /// The largest distance, in pixels, between an edge that may be seen and the faces that end at
+    /// it in the model (l3d_trim_curve::edge). It is measured, and the bounds above include it.
     double edges_px = 0;
 
-    /// Certified distances of strips between faces and edges from these edges. Errors of edges and
-    /// of curved models add nothing to them.
+    /// Certified distances from edges to the strips that close gaps beside them: in the picture,
+    /// and in depth. Errors of edges and of curved models add nothing to them. Units: pixels.
     double strips_px = 0, strips_depth_px = 0;
 
-    /// Adds what shapes other than strips are off. Strips are off edges, and by so much alone.
+    /// Adds an error of `px` pixels to the bounds of all shapes but strips. Strips have no such
+    /// error: their bounds are strips_px and strips_depth_px.
     void add_off(double px) {
         bound_px = std::max(bound_px + px, strips_px);
         depth_bound_px = std::max(depth_bound_px + px, strips_depth_px);
     }
 
-    /// Largest error of interpolated normals, over quads and slits. They are compared with the
-    /// exact unit normals at the same parameters. Only vertices that have normals count.
-    /// l3d_surface_counts::normal_error has the error that polygons' shapes add.
+    /// Largest error of interpolated normals over quads and slits, against the exact unit normals
+    /// at the same parameters. Only vertices that have normals count.
+    /// l3d_surface_counts::normal_error holds the error that polygons' shapes add.
     double normal_off = 0;
 
     /// Largest error of greys against the exact surface at the same parameters. Units: levels.
     double shade_bound = 0;
-    /// Upper bound of the number of quads that shade_bound does not cover. A frame counts none
+    /// Upper bound of the number of quads that shade_bound does not cover. A frame counts no quad
     /// twice.
     std::int64_t unproven_quads = 0;
 

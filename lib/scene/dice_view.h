@@ -39,9 +39,9 @@ struct l3d_image_section {
     friend bool operator==(const l3d_image_section&, const l3d_image_section&) = default;
 };
 
-/// Whether a net is small: those smaller than 24 pixels in both directions are not divided into
-/// strips for the bound. A quarter of that is a few quads, and strips would cost more than they
-/// save.
+/// Whether a net is small: less than 24 pixels wide and high. Small nets are not divided into
+/// strips for the bound. A quarter of such a net is a few quads, so strips would cost more than
+/// they save.
 inline bool l3d_is_small(const l3d_image_box& hull) {
     return hull.width() < 24 && hull.height() < 24;
 }
@@ -69,15 +69,15 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
 
 /// The largest error a that outlines of smooth edges may have. With a tolerance of b, their bound
 /// is 1 / (1 / a + 1 / b): a twelfth of a pixel at the usual tolerance of a quarter. Measured
-/// outlines have a root mean square error of a sixth of this bound. Counting 64 samples errs by
-/// 0.73 / 64 of a pixel, which is nearly as much.
+/// outlines have a root mean square error of a sixth of this bound. The coverage of a pixel by 64
+/// samples errs by 0.73 / 64 of a pixel, which is nearly as much.
 /// Units: pixels.
 inline constexpr double l3d_widest_outline = 0.125;
 
-/// A parallel projection is drawn in perspective from a far eye: half of the scene's depth is at
-/// most this part of the eye's distance. Places in the picture are off by the same part of their
-/// distance from its middle: 2^-9 pixels in a picture 4096 wide. Errors of the transform include
-/// this.
+/// The accuracy of a parallel projection, which is drawn in perspective from a far eye. Half of the
+/// scene's depth is at most this part of the eye's distance. Places in the picture are off by the
+/// same part of their distance from its middle: 2^-9 pixels in a picture 4096 wide. Errors of the
+/// transform include this.
 inline constexpr double l3d_parallel_part = 0x1p-20;
 
 /// The picture and the accuracy asked for; constant for a frame.
@@ -101,9 +101,9 @@ struct l3d_dice_view {
     double error_xy = 0; ///< error of x and y of a transformed control point
     double error_w = 0;
 
-    /// Bound of the sum of the magnitudes of the terms that add up to a point's coordinates, the
-    /// eye's included. Errors are in proportion to it. 0: unknown, and of_share() cannot reduce
-    /// errors.
+    /// Bound of a sum of magnitudes: those of the terms that add up to a point's coordinates, the
+    /// eye's included. Rounding errors are in proportion to it. If it is 0 it is unknown, and
+    /// of_share() cannot reduce errors.
     double terms = 0;
     double eye_terms = 0;   ///< the eye's part of terms
     double camera_near = 0; ///< near, before errors of w pushed it away; 0: it is near itself
@@ -115,7 +115,7 @@ struct l3d_dice_view {
     /// Blocks in which the diced patch may fold over as seen from the eye: bit 4 * row + column,
     /// columns along u.
     unsigned folds = 0;
-    /// The part of that patch that its trims leave; null where they leave all.
+    /// The part of the diced patch that its trims leave; null where they leave all.
     const l3d_trim_region* trim = nullptr;
     /// The polylines of the edges that its trims follow; null if they follow none.
     const std::vector<l3d_shared_polyline>* edges = nullptr;
@@ -132,8 +132,8 @@ struct l3d_dice_view {
 
     bool is_parallel() const { return w_middle > 0; }
 
-    /// In a parallel projection, the depth at w_middle, and its change with w: from 1.25 at the
-    /// nearest to 1 at the farthest place.
+    /// The depth of a place at w_middle in a parallel projection. Depths fall linearly with w, from
+    /// 1.25 at the nearest place to 1 at the farthest.
     static constexpr double middle_depth = 1.125;
     double depth_slope() const { return -0.125 / (l3d_parallel_part * w_middle); }
 
@@ -160,7 +160,8 @@ struct l3d_dice_view {
                (is_parallel() ? 1.25 / std::abs(depth_slope() * w_middle) : 1.0);
     }
 
-    /// The factor by which budgets of errors are divided where outlines may be.
+    /// The factor by which budgets of errors are smaller where outlines may be, since smooth edges
+    /// show them more exactly.
     double finer_outlines() const {
         return shading.antialias ? 1 + tolerance / l3d_widest_outline : 1;
     }
@@ -177,13 +178,13 @@ struct l3d_dice_view {
         return result;
     }
 
-    /// The share of the view's errors that holds for points whose terms add up to `reach`.
+    /// The share of the view's errors that a point has. Its terms add up to `reach`.
     double share_of(double reach) const {
         return terms > 0 ? std::min((reach + eye_terms) / terms, 1.0) : 1.0;
     }
 
-    /// The near plane for points that have this share of the errors. Nearer than 32 errors of w, w
-    /// and quotients by it have few certain digits.
+    /// The near plane for points that have this share of the errors. It keeps w above 32 errors of
+    /// w, since below that w and quotients by it have few certain digits.
     double near_of(double share) const {
         return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
     }
@@ -212,7 +213,8 @@ struct l3d_dice_view {
         return std::max({tolerance - vertex_error, tolerance / 4, finest});
     }
 
-    /// How far balanced vertices (l3d_balance) may lie beside the surface: no budget is larger.
+    /// The farthest that balanced vertices (l3d_balance) may lie beside the surface, since no
+    /// budget is larger.
     double most_moved() const { return chord_budget(0); }
 
     /// The largest error that walking, by forward differences, may add to a vertex. Where it would

@@ -110,8 +110,8 @@ double reach_along(const l3d_patch_scene& scene, const vector& direction) {
 }
 
 /// A model between two planes that meet in the eye: left and right, or below and above. `slope` is
-/// the tangent of each plane's angle to the line of sight. For an eye at place `at` and `depth`,
-/// the planes hold the model if at - slope depth >= most and at + slope depth <= least.
+/// the tangent of each plane's angle to the line of sight. The planes of an eye at place `at` and
+/// `depth` hold the model if at - slope depth >= most and at + slope depth <= least.
 struct wedge {
     double slope, most, least;
 
@@ -121,8 +121,7 @@ struct wedge {
 
     /// The largest depth of an eye whose planes hold the model.
     double deepest() const { return (least - most) / (2 * slope); }
-    /// The sideways place of the deepest eye. The places of farther eyes have it in their middle,
-    /// too.
+    /// The sideways place of the deepest eye. Eyes farther away may move to both sides of it alike.
     double place() const { return (most + least) / 2; }
     bool holds(double at, double depth) const {
         return at - slope * depth >= most && at + slope * depth <= least;
@@ -177,7 +176,7 @@ struct depths {
     }
 };
 
-/// The camera with eye and target at these depths, through a place `line` along the line of sight.
+/// The camera with eye and target at these depths, on the line of sight through the place `line`.
 /// The eye is moved into its allowed range. None if the eye is too near to the target, as for tiny
 /// models.
 /// Expects: the model begins at depth `nearest`.
@@ -201,7 +200,7 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
     return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
-/// l3d_framed in perspective; none if no eye is near enough to a tiny model.
+/// Does what l3d_framed does in perspective; none if no eye is near enough to a tiny model.
 /// Expects: the model is not empty.
 std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach) {
@@ -209,7 +208,7 @@ std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size 
     const depths depth(axes.forward, reach);
     const wedges all(axes, camera, size, l3d_framed_share, reach);
     const double deepest = all.deepest();
-    // Its width or height keeps the eye away from a flat model, unless both are 0.
+    // The width or height of a flat model keeps the eye away from it, unless both are 0.
     const double eye = depth.is_flat() && deepest < depth.nearest
                            ? deepest
                            : std::min(deepest, depth.nearest - depth.least_distance());
@@ -217,7 +216,8 @@ std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size 
     return placed(camera, line, eye, depth.middle(), depth.nearest);
 }
 
-/// l3d_framed in a parallel projection; none if no eye is near enough to a tiny model.
+/// Does what l3d_framed does in a parallel projection; none if no eye is near enough to a tiny
+/// model.
 std::optional<l3d_camera> framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();

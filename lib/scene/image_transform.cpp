@@ -12,8 +12,8 @@ double power_below(double value) {
     return std::exp2(std::floor(std::log2(value)));
 }
 
-/// A bound that stays the same while the value changes a little. It is the value, rounded up to 4
-/// bits, by a 16th of itself at most. Else an object that moves at the end of a scene would change
+/// A bound that stays the same while the value changes a little: the value rounded up to 4 bits, by
+/// a 16th of itself at most. Without it, an object that moves at the end of a scene would change
 /// the errors that all others are diced by. Then the others' pictures would change by a bit.
 double steady_bound(double value) {
     if (!(value > 0))
@@ -22,13 +22,15 @@ double steady_bound(double value) {
     return std::ceil(value / unit) * unit;
 }
 
-/// The matrix (axes, products) is good to some 16 ulps of |direction| (|p| + |eye|). Multiplying a
-/// placement in adds 8; four products and three sums add at most 8. A patch cut in 50 halvings is
-/// rounded at its own size, not at that of its pieces, at 3 midpoints each.
+/// Bound of the rounding of a point's coordinates. The matrix (axes, products) is good to some 16
+/// ulps of |direction| (|p| + |eye|). Multiplying a placement in adds 8; four products and three
+/// sums add at most 8. A patch cut in 50 halvings is rounded at its own size, not at that of its
+/// pieces, at 3 midpoints each.
 constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
 
-/// The axes to the right and down are turned by the rounding of the line of sight and of its
-/// product with `up`. That is 4 ulps, over the sine between the line of sight and `up`.
+/// Rounding turns the picture's axes to the right and down by at most this, divided by the sine
+/// between the line of sight and `up`. It is 4 ulps, for the line of sight and its product with
+/// `up`.
 constexpr double turning = 4 * 0x1p-53;
 
 /// Bound of the distance of any control point from a place: the sum of distances along the axes.
@@ -62,13 +64,13 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
             matrix_(row, column) *= depth_scale_;
 
     error_w_ = roundings * terms_ * depth_scale_;
-    // A point's distance from the eye is at most the sum of its terms and the eye's. So all errors
-    // are proportional to that sum.
+    // A point's distance from the eye is at most the sum of the point's terms and of the eye's. So
+    // all errors are proportional to that sum.
     error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
 }
 
-/// Sees the scene from a far eye, whose w is 1 / l3d_parallel_part times as large as half of the
-/// depth. x and y are those of a parallel projection, exactly.
+/// Sees the scene from a far eye. Its distance is 1 / l3d_parallel_part to 2 / l3d_parallel_part
+/// times half of the scene's depth. x and y are those of a parallel projection, exactly.
 void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch_scene& scene) {
     const l3d_camera::frame axes = camera.axes();
     const double scale = camera.scale_at_target(size_);
@@ -95,7 +97,7 @@ void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch
     near_ = w_middle_ / 2 / depth_scale_; // near and far cut nothing
     far_ = 2 * w_middle_ / depth_scale_;
 
-    // w is the sum of scaled terms and w_middle.
+    // w is a sum of scaled terms and of w_middle.
     for (int i = 0; i < 3; ++i)
         terms_ = std::max(terms_, scene.reach() + eye_terms_ + 2 * std::abs(camera.target[i]));
     error_w_ = roundings * (terms_ * depth_scale_ + w_middle_);
@@ -113,8 +115,9 @@ void l3d_image_transform::set_depths(l3d_shading& shading) const {
     shading.depth_base = l3d_dice_view::middle_depth - shading.depth_step * to_target_;
 }
 
-/// With h = A p + t, the distance n.p + d is (A^-T n).h + (d - (A^-T n).t). The columns of A^-T are
-/// cross products of rows of A over the determinant of A.
+/// The section in the space of transformed points. With h = A p + t, the distance n.p + d is (A^-T
+/// n).h + (d - (A^-T n).t). The columns of A^-T are cross products of rows of A over the
+/// determinant of A.
 l3d_image_section l3d_image_transform::section(const l3d_plane<double>& plane) const {
     using vector = l3d_vector<double, 3>;
     const auto row = [&](int i) { return vector{matrix_(i, 0), matrix_(i, 1), matrix_(i, 2)}; };

@@ -32,8 +32,8 @@ public:
     /// A plane of the world in the space of the transformed points, with the same distances.
     l3d_image_section section(const l3d_plane<double>& plane) const;
 
-    /// How much nearer the camera's eye is than the eye that w is counted from: 0, except in a
-    /// parallel projection.
+    /// How much farther the eye that w is counted from is than the camera's eye. It is 0, except in
+    /// a parallel projection.
     double nearer() const { return w_middle_ / depth_scale_ - to_target_; }
 
     /// Tells a rasterizer what depths stand for in a parallel projection.

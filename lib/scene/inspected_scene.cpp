@@ -42,7 +42,7 @@ vector along(const std::array<vector, 3>& axes, const vector& direction) {
                                  l3d_dot(axes[2], direction)});
 }
 
-/// The least of 1, 2 and 5 times powers of ten that is not below `number`.
+/// Rounds a number up to 1, 2 or 5 times a power of ten.
 /// Expects: a positive finite number.
 double rounded_up(double number) {
     const double power = std::pow(10.0, std::floor(std::log10(number)));
@@ -131,7 +131,7 @@ double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade) {
         if (left < 0)
             break;
     }
-    // Rounding gives a plane some value, which does not count as curvature.
+    // Rounding gives a plane some curvature, which does not count.
     const double size = std::max(scene.reach(), std::numeric_limits<double>::min());
     const double least = 1e-9 / (shade == l3d_shade::gaussian ? size * size : size);
     return most > least && std::isfinite(rounded_up(most)) ? rounded_up(most) : 1;

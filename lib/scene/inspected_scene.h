@@ -30,8 +30,8 @@ private:
     bool with_materials_ = false;
 };
 
-/// The number at the end of a curvature's scale that suits a scene: nine tenths of the area have
-/// less curvature. It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
+/// The number for the end of a curvature's colour scale that suits a scene: nine tenths of the area
+/// have less curvature. It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
 ///
 /// Expects: `gaussian` or `mean`.
 /// Cost:    some 7 us a patch, but at most 30 ms.

@@ -15,7 +15,7 @@
 
 /// The kind of a line of a surface.
 enum class L3D_PUBLIC l3d_line_kind {
-    contour, ///< the surface turns away from the eye: its silhouette, also in front of itself
+    contour, ///< the surface turns away from the eye: its outline, or that of a fold
     crease,  ///< two pieces meet at an angle of more than two degrees
     border,  ///< the surface ends, or is trimmed
     joint    ///< two faces meet at an edge of the model without an angle

@@ -12,11 +12,12 @@ namespace {
 
 using direction = std::array<double, 3>;
 
-/// Error of normals by rounding to 16383rds, 2^-14.2, and by floats. Floats err as for levels, in
-/// parts of 229.5: by 20 * 2^-24 of numbers up to 2^8, times the cancellation of terms.
+/// Error of normals that are rounded to 16383rds, 2^-14.2, and computed in floats. Floats err as
+/// for levels, in parts of 229.5: by 20 * 2^-24 of numbers up to 2^8, times the cancellation of
+/// terms.
 constexpr double rounded_normal = 5.3e-5 + 4.4e-5;
 
-/// Error by rounding a channel to a whole level, and by its float arithmetic.
+/// Error of a channel that is rounded to a whole level, and computed in floats.
 constexpr double rounded_level = 0.5 + 0.01;
 
 /// Powers of a cosine below this are left out of a highlight.

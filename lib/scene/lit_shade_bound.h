@@ -12,7 +12,8 @@
 /// The errors that enter a lit pixel's colour.
 struct l3d_lit_errors {
     double normal = 0; ///< length between the interpolated normal and the exact unit normal
-    double way = 0;    ///< angle between the drawn and the exact point's directions to the eye
+    /// Angle between the directions to the eye of the drawn point and of the exact point.
+    double way = 0;
 };
 
 /// A bound of the error of any channel of a lit pixel, against the exact surface at the same

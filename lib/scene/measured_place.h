@@ -11,7 +11,7 @@
 #include <limits>
 #include <string>
 
-/// A place of a surface, its normal and its curvatures, each with the largest distance from the
+/// A place of a surface with its normal and its curvatures. Each has the largest distance from the
 /// exact value, rounding included.
 ///
 /// Units: those of the world; curvatures are 1 / radius.
@@ -37,8 +37,9 @@ struct L3D_PUBLIC l3d_measured_place {
 
 /// Measures a surface at the patch and the parameters of a pick.
 ///
-/// A curved model is measured on its exact pieces, not on the patches that approximate them. So the
-/// place is that of the same parameters, at most l3d_patch_model::surface_error() beside the ray.
+/// A curved model is measured on its exact pieces, not on the patches that approximate them. The
+/// measured place has the pick's parameters, so it lies at most l3d_patch_model::surface_error()
+/// beside the ray.
 /// Expects: a pick of this scene, which has not been changed since.
 /// Source:  the derivatives, as intervals; do Carmo, "Differential Geometry of Curves and
 ///          Surfaces": the curvatures are H +- sqrt(H^2 - K) with mean H and Gaussian K.

@@ -20,9 +20,9 @@
 
 namespace {
 
-/// The path of a file that another file names. It is taken to be beside that file, even if the name
-/// is a path on another machine or of Windows. A model from a pipe has no folder; the current
-/// folder stands for it.
+/// The path of a file that another file names. The file is looked for beside that other file, even
+/// if the name is a path on another machine or of Windows. A model from a pipe has no folder; the
+/// current folder stands for it.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);
@@ -69,7 +69,7 @@ void note_unknown(std::span<const l3d_named_material> known, const std::string& 
                               "; such materials are white");
 }
 
-/// A file of materials that was looked for: its path, and its text or why there is none.
+/// A file of materials that was looked for: its path, and its text or the reason why there is none.
 struct material_text {
     std::string place, why, text;
 
@@ -77,8 +77,8 @@ struct material_text {
         : place(beside(path, named)), text(text_of(place, why)) {}
 };
 
-/// The files that a statement names. It may name several, and a name may have spaces. So the whole
-/// is one name if there is such a file, or if none of its words is a file either.
+/// The files that a statement names. It may name several, and a name may have spaces. The whole
+/// statement is one name if there is such a file, or if none of its words is a file either.
 std::vector<material_text> texts_of(const std::string& path, const std::string& named) {
     const material_text whole(path, named);
     std::vector<material_text> each;
@@ -118,8 +118,9 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
         note_unknown(materials, name, model);
 }
 
-/// Makes hills of a picture: a height for each pixel, one unit apart. White is a quarter of the
-/// longer side above black, so that the hills of most pictures look neither flat nor like needles.
+/// Makes hills of a picture: each pixel's grey is a height, and pixels are one unit apart. White is
+/// a quarter of the longer side above black, so that the hills of most pictures look neither flat
+/// nor like needles.
 l3d_model_file heights_of(const std::string& bytes, const std::string& name) {
     l3d_detail::png_levels picture = l3d_detail::decoded_png_levels(bytes, name, l3d_most_heights);
     const double white = std::max(picture.size.width, picture.size.height) / 4.0;

@@ -396,7 +396,7 @@ l3d_patch_model l3d_patch_model::of_opacity(float least, float most) const {
 
 l3d_patch_model l3d_patch_model::chosen(const std::vector<bool>& is_chosen) const {
     if (std::ranges::find(is_chosen, false) == is_chosen.end()) {
-        l3d_patch_model result = *this; // shares all that is known of the patches
+        l3d_patch_model result = *this; // shares everything that is known of the patches
         result.curves_ = nullptr;
         return result;
     }

@@ -49,7 +49,7 @@ struct L3D_PUBLIC l3d_loose_edge {
     double off = 0;                             ///< the largest distance found
     double tolerance = 0;                       ///< the distance that the file allows
     l3d_vector<double, 3> place{0.0, 0.0, 0.0}; ///< where it was found, on the edge
-    std::vector<std::size_t> pieces;            ///< those whose trims follow the edge
+    std::vector<std::size_t> pieces;            ///< the pieces whose trims follow the edge
 };
 
 /// A set of bicubic patches, each with its exact normal net and its box. Coordinates are those of
@@ -104,10 +104,10 @@ public:
                                                    std::string& why);
 
     /// A model of patches as files have them, brought to degree 3 by 3. It is a curved model if a
-    /// patch is not bicubic, for its weights or its degrees.
+    /// patch has weights that differ, or other degrees.
     /// Errors: nothing, with the patch in `why`, if its degrees are not from 1 to 15, or a weight
-    ///         is not from 1e-100 to 1e12. Nothing also for too few or too many points or weights,
-    ///         and for coordinates that checked() refuses.
+    /// is not from 1e-100 to 1e12. Nothing also for too few or too many points or weights, and for
+    /// coordinates that checked() refuses.
     static std::optional<l3d_patch_model> from_patches(std::span<const l3d_patch_points> patches,
                                                        std::string_view name, std::string& why);
     /// A model of patches whose trims follow these edges.
@@ -134,7 +134,8 @@ public:
     static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces,
                                          std::span<const l3d_model_edge> edges = {});
 
-    /// The number of pieces that the model is made of: that of patches(), unless it is curved.
+    /// The number of pieces that the model is made of. It is the number of patches(), unless the
+    /// model is curved.
     std::size_t pieces() const;
     /// The index of the piece that a patch belongs to. Expects: index < patches().size().
     std::size_t piece_of(std::size_t index) const;
@@ -159,36 +160,38 @@ public:
     /// Whether its patches approximate pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }
     /// The same curved model with finer or coarser patches; any other model is the same at all
-    /// levels. Levels of places and of normals run from 0, the coarsest, with which models are
-    /// made, to most_level(). Two levels more divide the bound of places by 4, and that of normals
-    /// by 8. That holds as long as it takes no more than 2^17 patches.
+    /// levels. There are levels of places and levels of normals. Both run from 0, the coarsest,
+    /// with which models are made, to most_level(). Two levels more divide the bound of places by
+    /// 4, and that of normals by 8, as long as this takes no more than 2^17 patches.
     /// Expects: 0 <= places, normals <= most_level().
     /// Cost:    some 20 us a patch when a level is first asked for. Its patches are kept as long as
     ///          any copy of the model lives.
     l3d_patch_model at_level(int places, int normals) const;
     /// The finest level of places and of normals; 0 if the model is not curved.
     int most_level() const;
-    /// The bound of errors of places at a level; 0 if the model is not curved. The level's patches
-    /// are not made.
+    /// The bound of errors of places at a level; 0 if the model is not curved. It is known before
+    /// the level's patches are made.
     /// Expects: as at_level.
     double error_at_level(int places, int normals) const;
-    /// A bound of the number of patches of a level, which are not made.
+    /// A bound of the number of a level's patches. It is known before they are made.
     /// Expects: as at_level.
     double patches_at_level(int places, int normals) const;
-    /// The same curved model with the patches that a region may show, each as fine as its depth
-    /// asks for. Nothing if the region hides all.
+    /// The same curved model, with the patches that a region may show. Each is as fine as its depth
+    /// asks for. Nothing if the region shows no patch.
     /// Expects: a curved model, a wish with a region in its coordinates.
     /// Cost:    some 50 us a patch when a wish is new; patches of the last eight are kept.
     std::optional<l3d_patch_model> seen(const l3d_cell_wish& wanted) const;
-    /// The largest ratio of an error to the one that was asked for, in a model that seen() made.
+    /// The largest ratio of a patch's error to the error that the wish allowed it, in a model that
+    /// seen() made.
     double share_of_wish() const;
-    /// The bound of errors of unit normals that a level is made for; 0 if the model is not curved.
+    /// The bound of errors of unit normals that a level aims at; 0 if the model is not curved.
     /// Expects: as at_level.
     double normal_target(int level) const;
 
-    /// The same pieces, as approximations of a surface. These errors become part of the bounds of
-    /// pictures. Expects: an error for each piece, finite and not negative; none says that the
-    /// piece is the surface itself.
+    /// The same pieces as approximations of another surface. These errors become part of the bounds
+    /// of pictures.
+    /// Expects: an error for each piece, finite and not negative. No errors at all say that the
+    ///          pieces are the surface itself.
     l3d_patch_model standing_for(std::span<const l3d_patch_error> errors) const;
 
     /// Whether its patches are the surface itself, not approximations of it.
@@ -199,16 +202,18 @@ public:
     double surface_error() const;
     /// The same for one patch. Expects: index < patches().size().
     double surface_error(std::size_t index) const;
-    /// Bound of the distance between unit normals of the patches and of that surface, at the same
-    /// parameters; 0 for models without surface_error(). It is infinite where a normal vanishes
-    /// inside of a patch of a curved model.
+    /// Bound of the distance between unit normals of the patches and those of the surface that they
+    /// approximate, at the same parameters. It is 0 for models without surface_error(), and
+    /// infinite where a normal vanishes inside of a patch of a curved model.
     double normal_error() const;
-    /// Whether that bound holds for a patch. It does not where nothing is known about the normals
-    /// of the approximated surface. Expects: index < patches().size().
+    /// Whether normal_error() holds for a patch. It does not where nothing is known about the
+    /// normals of the approximated surface.
+    /// Expects: index < patches().size().
     bool has_normal_error(std::size_t index) const;
 
-    /// Sides that meet the sides of two patches of half the size, whose points are the halves' own.
-    /// Pictures draw such a side as these two, so that no gap shows. In the order of patches.
+    /// The sides that meet two patches of half the size, in the order of patches. A half of the
+    /// side has the control points of the smaller patch's side. Pictures draw the side as its two
+    /// halves, so that no gap shows.
     std::span<const l3d_halved_side> halved_sides() const;
     /// Bits of a patch's edges that are halved, in the order of l3d_patch_reach::edges.
     /// Expects: index < patches().size().
@@ -229,11 +234,11 @@ public:
     /// Whether the trims of a patch follow edges. Expects: index < patches().size().
     bool follows_edges(std::size_t index) const;
 
-    /// An address that copies of one model share at all levels. Any other model that lives at the
-    /// same time has another one.
+    /// An address by which copies of one model know each other at all levels. No other model that
+    /// lives at the same time has it.
     const void* source_identity() const;
 
-    /// The least x, y and z of the pieces' control points: those of least(), unless the model is
+    /// The least x, y and z of the pieces' control points. It is least(), unless the model is
     /// curved.
     const vector& pieces_least() const;
     /// The largest x, y and z of the pieces' control points.
@@ -314,11 +319,11 @@ public:
     /// The upright boxes of the patches' control points, in the order of patches().
     const l3d_box_lanes& boxes() const;
 
-    /// An address that copies of one model share, however they are painted. Any other model that
-    /// lives at the same time has another one, even one of equal patches. A level of a curved model
-    /// with other patches counts as another model.
+    /// An address by which copies of one model know each other, however they are painted. No other
+    /// model that lives at the same time has it, even one of equal patches. A level of a curved
+    /// model with other patches counts as another model.
     const void* identity() const;
-    /// An address that models with shared materials have in common; null if all are plain.
+    /// An address by which models with shared materials know each other; null if all are plain.
     const void* paint_identity() const;
 
 private:
@@ -328,7 +333,8 @@ private:
 
     struct source;
     std::shared_ptr<const source> source_; ///< null unless it is curved
-    // The following copy the bounds of equal patches from `like`, which may be null.
+    // These functions copy the bounds of patches that are equal to patches of `like`, which may be
+    // null.
     l3d_patch_model(std::vector<patch> patches, const contents* like);
     l3d_patch_model(l3d_curved_pieces pieces, const source* like);
     /// Errors:  nothing, with the reason in `why`.

@@ -317,7 +317,7 @@ l3d_patch_scene l3d_patch_scene::only(std::span<const std::size_t> indices) cons
     return result;
 }
 
-/// Instances of one model share its materials.
+/// Collects the materials of all instances. Instances of one model share its materials.
 std::span<const l3d_material> l3d_patch_scene::materials() const {
     if (knows_materials_)
         return materials_;
@@ -350,8 +350,8 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     return materials_;
 }
 
-/// Grows the box by the instances that it does not hold yet. After a move all instances are looked
-/// at, since the box without the moved one is unknown.
+/// The box of everything. It grows by the instances that were added since the last call. After a
+/// move all instances are looked at, since the box without the moved one is unknown.
 const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
     if (extent_count_ == 0)
         extent_ = {};

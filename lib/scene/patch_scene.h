@@ -177,7 +177,7 @@ public:
     bool turns_normals() const { return turns_normals_; }
 
     /// The matrix that takes the model's normals to the world: the cofactors of the placement,
-    /// scaled so that the largest is 1. It does so since (A a) x (A b) = cof(A) (a x b).
+    /// scaled so that the largest is 1. Cofactors do this since (A a) x (A b) = cof(A) (a x b).
     /// Shape:   the upper left three by three; the rest as in the identity.
     const l3d_matrix<double>& normal_matrix() const { return normal_matrix_; }
 
@@ -190,7 +190,7 @@ public:
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of the sum of the magnitudes of the terms that add up to a point's world coordinates.
+    /// Bound of a sum of magnitudes: those of the terms that add up to a point's world coordinates.
     /// Rounding errors are in proportion to it. It holds for points of the model with coordinates
     /// of magnitude at most `most`.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
@@ -289,12 +289,12 @@ public:
 
     /// Makes an instance transparent: a pixel mixes `opacity` of its light with the rest of the
     /// light that is seen without it. The instance itself shows its nearest surface alone. The
-    /// opacity lasts as long as a material of paint() does.
+    /// opacity lasts as long as a material of paint() would.
     /// Expects: an index of instances().
     /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
     ///          most_transparent transparent instances; then nothing changes.
-    /// Cost: a frame draws everything in the instance's box twice; where the boxes of n transparent
-    ///       instances overlap, 2^n times.
+    /// Cost:    a frame draws everything in the instance's box twice; where the boxes of n
+    ///          transparent instances overlap, 2^n times.
     void set_opacity(std::size_t index, double opacity);
     /// Transparent instances that a scene may have. Where all overlap, 256 pictures are mixed.
     static constexpr std::size_t most_transparent = 8;
@@ -444,9 +444,9 @@ struct L3D_PUBLIC l3d_pick {
     /// The error of mean, in its unit.
     double mean_error = 0;
 
-    /// True if it is proven that the ray meets the surface here. Otherwise the ray passes so near
-    /// to an outline, or to a place without a normal, that rounding decides; the errors say how
-    /// near.
+    /// True if it is proven that the ray meets the surface here. Otherwise rounding decides whether
+    /// it does, since the ray passes near an outline or a place without a normal. The errors say
+    /// how near.
     bool is_proven = false;
 
     /// All values, a line each: name, value and error. Patches count from 0.

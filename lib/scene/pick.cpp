@@ -24,11 +24,11 @@ using l3d_detail::formatted;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Roundings of a coordinate that is a sum of a few products. The axes are good to 24 of them,
-/// products and sums add 8, placing the model 8. Halving adds 6, as halves become smaller, and
-/// evaluating 12. Twice that is enough. Units: the sum of all terms' magnitudes.
+/// Roundings of a coordinate that is a sum of a few products, as a part of the sum of all terms'
+/// magnitudes. The axes are good to 24 of them, products and sums add 8, placing the model 8.
+/// Halving adds 6, as halves become smaller, and evaluating 12. Twice that is enough.
 constexpr double ray_rounding = 128 * 0x1p-53;
-/// The same for a coordinate in the world.
+/// Roundings of a coordinate in the world, as a part of the same sum.
 constexpr double world_rounding = 16 * 0x1p-53;
 
 /// The ray through a place of a picture, with coordinates that are 0 along the ray, and depth.
@@ -57,7 +57,7 @@ public:
                 depth};
     }
 
-    /// Rounding of seen() for a point whose terms sum up to `reach`.
+    /// Bound of the rounding of seen() for a point whose terms sum up to `reach`.
     double rounding(double reach) const {
         const double eye = std::max({std::abs(eye_[0]), std::abs(eye_[1]), std::abs(eye_[2])});
         return ray_rounding * 3 * (reach + eye) * slant();

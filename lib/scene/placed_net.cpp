@@ -34,7 +34,7 @@ void place_net(const l3d_matrix<double>& m, const double* from, double* to) {
     }
 }
 
-/// The vectors of a normal net, and the same as floats.
+/// Places the vectors of a normal net, and keeps them as floats, too.
 void place_normals(const l3d_matrix<double>& m, const double* from, l3d_normal_polynomial& net,
                    float (&in_floats)[3][6][6]) {
     const hn::CappedTag<double, 4> d;

@@ -14,8 +14,8 @@
 
 namespace l3d_detail {
 
-/// Asks each row of the table at most once whether it can serve. A display that did not answer one
-/// row is not tried for the next, since a silent display costs seconds.
+/// Asks each row of the table at most once whether it can serve. If a display did not answer one
+/// row, the next rows do not try it, since a silent display costs seconds.
 ///
 /// Lives:   borrows the rows.
 class backend_survey {
@@ -31,9 +31,10 @@ public:
     /// each row follows.
     void diagnose(std::ostream& out);
 
-    /// The row of that name; `named_by` is the option or variable that holds the name.
+    /// Finds the row of that name, and makes sure that it can serve. `named_by` is the option or
+    /// variable that holds the name.
     ///
-    /// Errors:  l3d_error: usage if no row has the name; as fail if the row cannot serve.
+    /// Errors:  l3d_error: usage if no row has the name; as fail() if the row cannot serve.
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
     /// The first automatic row that serves fully, else the first that serves. A display that was

@@ -32,9 +32,9 @@ l3d_exit l3d_dispatcher::start_with_caption() {
 namespace {
 
 /// Whether the pipeline gets a press as a key_event. A key with Alt or Super held is another key,
-/// and none of ours; so is a letter with Ctrl. For digits and keys that are no character, any_event
-/// tells whether Ctrl is held. A modifier alone does not count as a key, nor does a key that only
-/// types.
+/// and means nothing to the library; so is a letter with Ctrl. For digits and keys that are no
+/// character, any_event tells whether Ctrl is held. A modifier alone does not count as a key, nor
+/// does a key that only types.
 bool is_plain(const l3d_event& press) {
     if (press.key == 0 || press.key == l3d_key_shift || press.key == l3d_key_control ||
         press.key == l3d_key_alt)

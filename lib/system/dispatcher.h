@@ -77,7 +77,7 @@ private:
     virtual std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const = 0;
 };
 
-/// The dispatcher for a window if the screen turns out to be one, else the one without a display.
+/// Becomes the dispatcher for a window if its screen is one, else the one without a display.
 class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
 public:
     /// Errors:  as the constructor of l3d_frame_writer.

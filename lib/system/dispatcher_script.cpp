@@ -27,8 +27,8 @@ l3d_exit l3d_dispatcher_script::do_start(l3d_pipeline& pipeline, l3d_screen& scr
     l3d_exit result = l3d_exit::success;
     l3d_detail::progress progress(std::cerr, isatty(STDERR_FILENO) != 0, settings_.program, frames,
                                   l3d_detail::progress::clock::now());
-    // A signal waits for the frame at hand, whose file is finished, so no part of a file is left
-    // behind.
+    // If a signal comes, the present frame and its file are finished first, so that no part of a
+    // file is left behind.
     const l3d_signal_watch signals;
     for (int frame = 0; frame < frames && !signals.caught(); ++frame) {
         progress.done(frame, l3d_detail::progress::clock::now());

@@ -31,7 +31,8 @@ public:
           signals_(*dispatcher.signals_), pipeline_(pipeline), screen_(screen),
           last_update_(steady_clock::now()),
           pacer_(settings_.fps.value_or(screen.usual_fps()), last_update_) {
-        // If files are written, the frame at hand belongs to one of them, so it is finished.
+        // If files are written, the present frame belongs to one of them, so it is finished even
+        // after a signal.
         if (settings_.output.empty())
             pipeline_.interrupt_when([this] { return signals_.caught() || screen_.is_to_close(); });
     }
@@ -119,8 +120,9 @@ bool l3d_dispatcher_window::loop::rests() const {
     return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
 }
 
-/// Sleeps until the next picture is due, or until an event. Time in which nobody sees a picture
-/// does not count, and only the pipeline is told of a rest's length.
+/// Sleeps until the next picture is due, or until an event. update_event does not get the time of a
+/// long sleep. While nobody sees a picture it does not count, and rest() tells the pipeline how
+/// long a rest was.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());
@@ -133,7 +135,8 @@ void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
 
 /// Sleeps until an event, or until the pipeline wants to be woken.
 void l3d_dispatcher_window::loop::rest(steady_clock::time_point now) {
-    // Rounded up, as a sleep that ends a little early would be followed by one of length 0.
+    // The time is rounded up, since a sleep that ends a little early would be followed by one of
+    // length 0.
     const auto left = std::chrono::ceil<std::chrono::nanoseconds>(std::chrono::duration<double>(
         std::min(pipeline_.rest_left(), std::chrono::duration<double>(longest_rest).count())));
     screen_.wait(left, signals_.waker());

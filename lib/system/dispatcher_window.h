@@ -12,8 +12,8 @@
 /// Handles all pending events, then makes a frame when one is due, and sleeps in between. A frame
 /// is drawn and shown only if the pipeline needs it or the window has a new size. The window must
 /// be visible, too, unless frames are counted or written. A window that was uncovered gets its last
-/// picture again. If the window covers the display, Escape gives it its old place back, and only a
-/// second Escape reaches the program. The signals of l3d_signal_watch end the loop within 0.2 s.
+/// picture again. If the window fills the display, Escape gives it its old place and size, and only
+/// a second Escape reaches the program. The signals of l3d_signal_watch end the loop within 0.2 s.
 class l3d_dispatcher_window final : public l3d_dispatcher {
 public:
     /// Errors:  as the constructor of l3d_frame_writer.

@@ -156,7 +156,7 @@ std::unique_ptr<l3d_screen>
 l3d_factory_manager::create_screen(const l3d_screen_request& request) const {
     l3d_service refusal;
     auto screen = chosen().screen_factory->create(request, refusal);
-    // The back-end was chosen because there was a display, so the display has gone since.
+    // The back-end was chosen because there was a display. So the display was lost since then.
     if (chosen().on_display && refusal.how == l3d_service::level::no_display)
         refusal.how = l3d_service::level::display_lost;
     if (!screen)

@@ -72,7 +72,8 @@ public:
     /// Errors:  l3d_error with the reason: display_lost or no_backend.
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
-    /// Makes a window for a notice before choose(), of the first automatic kind that can serve.
+    /// Makes a window for a notice that is shown before choose(). It is of the first automatic kind
+    /// that can serve.
     /// Errors:  null if the options or the environment name a back-end without a window, or if no
     ///          window opens.
     std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,

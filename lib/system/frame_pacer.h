@@ -33,7 +33,8 @@ public:
     }
 
 private:
-    /// One hour; the clock counts nanoseconds in 64 bits, and 1 / fps may be anything.
+    /// The longest time between frames: one hour. 1 / fps may be anything, and the clock counts
+    /// nanoseconds in 64 bits.
     static constexpr double longest_period = 3600;
 
     static clock::duration seconds(double count) {

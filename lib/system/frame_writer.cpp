@@ -56,7 +56,7 @@ std::string save_as_new(const std::string& ending,
     constexpr int most = 9999;
     for (int number = 1; number <= most; ++number) {
         const std::string name = l3d_detail::formatted("l3d-%04d", number) + ending;
-        // A link that leads nowhere takes its name, too.
+        // A name also counts as taken if it is that of a link that leads nowhere.
         std::error_code problem;
         const auto type = std::filesystem::symlink_status(name, problem).type();
         if (type == std::filesystem::file_type::none)
@@ -91,7 +91,7 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha) : a
 }
 
 /// Reads the file name, which may have one number field. A percent sign stands for itself unless it
-/// begins a number field, so most names need no double one.
+/// begins a number field, so most names need no double percent sign.
 void l3d_frame_writer::read_pattern(std::string_view name) {
     for (std::size_t at = 0; at < name.size();) {
         const std::string_view rest = name.substr(at), field = field_at_front(rest);

@@ -39,8 +39,8 @@ public:
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
-    /// Whether a frame goes into the file of this name, or into the file that a link of this name
-    /// leads to.
+    /// Whether a frame goes into the file of this name. If the name is a link, the file is the one
+    /// that it leads to.
     bool has_frame_in(const std::string& file) const;
 
     /// Whether the next frame's file is there, whole and of this size. A disk may have lost a part
@@ -69,8 +69,8 @@ private:
 /// Writes a report line by line, so that a program that is stopped leaves whole lines behind.
 class L3D_PUBLIC l3d_report_writer {
 public:
-    /// Opens the file of this name. The name - is the standard output as it is. Earlier output
-    /// stays, and the output of others may come in between.
+    /// Opens the file of this name. If the name is -, lines go to the standard output: earlier
+    /// output stays, and the output of others may come in between.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
     l3d_report_writer(const l3d_report_writer&) = delete;

@@ -43,7 +43,7 @@ constexpr std::uint32_t most_transforms = 16;
 
 // ---- what the host does ------------------------------------------------------------------------
 
-/// A bound that all numbers of a type are below, up to rounding.
+/// The number that bounds all numbers of a type, up to rounding.
 template <class T> constexpr double end_of() {
     if constexpr (std::floating_point<T>)
         return std::numeric_limits<T>::max();

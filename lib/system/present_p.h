@@ -11,10 +11,9 @@
 
 namespace l3d_detail {
 
-/// Makes a frame once the pipeline is up to date. It draws a picture if there is a reason: the
-/// pixels are stale, or the pipeline says so. It shows the changed pixels. The writer gets the
-/// pixels in any case, since a numbered sequence has a file for every frame. Returns whether there
-/// was a reason.
+/// Makes a frame once the pipeline is up to date. It draws a picture if the pixels are stale or the
+/// pipeline asks for it, and shows the changed pixels. The writer gets the pixels in any case,
+/// since a numbered sequence has a file for every frame. Returns whether a picture was drawn.
 ///
 /// Errors:  as l3d_frame_writer::frame.
 inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer& writer,
@@ -37,7 +36,7 @@ inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer
     return drawn;
 }
 
-/// Whether frame number `frame`, the writer's next, is skipped without a picture.
+/// Whether frame number `frame`, the writer's next, needs no picture.
 inline bool only_passes(int frame, const l3d_frame_settings& settings,
                         const l3d_frame_writer& writer, l3d_size size) {
     return frame < settings.first_frame || (settings.resume && writer.has_frame(size));

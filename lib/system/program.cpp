@@ -52,12 +52,13 @@ l3d_canvas l3d_program::create_canvas(const std::string& shows) const {
         request.title = shows + " - " + request.title;
     l3d_canvas canvas{
         factories_.create_screen(request), factories_.chosen().rasterizer_factory, {}, is_classic_};
-    // Pictures by GL, or by a program's own factory, keep their edges.
+    // The canvas decides on smooth edges for the library's own rasterizers alone. Those of GL, or
+    // of a program's own factory, keep their edges.
     const bool is_ours = dynamic_cast<const l3d_rasterizer_factory_sw*>(canvas.rasterizers.get());
     if (!caption_.teaches.empty() && !is_classic_ && is_ours)
         canvas.rasterizers = std::make_shared<l3d_rasterizer_factory_sw>(l3d_edges::smooth);
-    // Pictures that are counted, or made without a window, use the built-in font. So they are the
-    // same on every machine.
+    // Pictures that are counted, or made without a window, use the built-in font, so that they are
+    // the same on every machine.
     std::string why;
     if (canvas.screen->is_window() && options_.frame_settings().frames == 0)
         canvas.font = l3d_font::of_system(why);

@@ -17,7 +17,7 @@ class progress {
 public:
     using clock = std::chrono::steady_clock;
 
-    /// `is_shown`: whether the stream is a terminal. Units: frames of the whole run.
+    /// `is_shown` tells whether the stream is a terminal. Units: frames of the whole run.
     progress(std::ostream& out, bool is_shown, std::string program, int frames,
              clock::time_point start)
         : out_(out), is_shown_(is_shown), program_(std::move(program)), frames_(frames),

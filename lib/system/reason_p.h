@@ -8,8 +8,8 @@
 
 namespace l3d_detail {
 
-/// The reason of a failure, in words for users. Our own errors carry such a reason. Errors of the
-/// standard library name its functions and types, which help no user.
+/// The reason of a failure, in words for users. The library's own errors carry such a reason.
+/// Errors of the standard library name its functions and types, which help no user.
 std::string reason_of(const std::exception& error);
 
 } // namespace l3d_detail

@@ -15,7 +15,7 @@
 
 namespace {
 
-/// Signals by keys, by a request to end, and by a terminal that is closed.
+/// The signals of keys, of a request to end, and of a terminal that is closed.
 constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
 /// The last signal, or 0, and the writing end of a pipe that wakes a sleeper. A handler may only
@@ -31,7 +31,7 @@ extern "C" void note_signal(int signal) {
     errno = error;
 }
 
-/// Blocks all signals in threads that begin while it lives. Signals go to the thread that waits for
+/// While it lives, threads that begin get no signals. So signals go to the thread that waits for
 /// events.
 class signals_held {
 public:
@@ -50,8 +50,8 @@ private:
 
 } // namespace
 
-/// Waits for a signal, and then some seconds for the watch's end. If that does not come, ends the
-/// process by the signal.
+/// Waits for a signal, and then some seconds for the end of the watch. If the watch does not end,
+/// ends the process by the signal.
 void l3d_signal_watch::end_what_takes_too_long() const {
     constexpr int patience = 5000; // milliseconds: a large picture is written in two seconds
     std::array<pollfd, 2> news{pollfd{waker_, POLLIN, 0}, pollfd{over_, POLLIN, 0}};
@@ -64,8 +64,8 @@ void l3d_signal_watch::end_what_takes_too_long() const {
 
 l3d_signal_watch::l3d_signal_watch() {
     assert(noted == 0);
-    // A pipe holds the news: without it, a signal between a look at caught() and the sleep would be
-    // missed.
+    // A pipe keeps the news of a signal. Without it, a signal between a look at caught() and the
+    // sleep would be missed.
     std::array<int, 2> ends{-1, -1};
     if (pipe2(ends.data(), O_CLOEXEC | O_NONBLOCK) == 0) {
         waker_ = ends[0];
@@ -73,7 +73,7 @@ l3d_signal_watch::l3d_signal_watch() {
     }
     struct sigaction action {};
     action.sa_handler = note_signal;
-    // SA_RESTART is not set, as a signal has to end the wait for events.
+    // SA_RESTART is not set, since a signal has to end the wait for events.
     action.sa_flags = static_cast<int>(SA_RESETHAND);
     sigemptyset(&action.sa_mask);
     over_ = eventfd(0, EFD_CLOEXEC);

@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    l3d_signal_watch watch_; ///< its end, which raises the signal, is the last
+    l3d_signal_watch watch_; ///< it ends last, and then raises the signal
     termios before_{};
     bool is_taken_ = false;
 };

@@ -15,8 +15,8 @@
 
 namespace l3d_detail {
 
-/// A terminal that hands over each key and shows none. Its mode is restored when this is destroyed,
-/// also after a signal. For the watch keeps the signal back and raises it last.
+/// A terminal that hands over each key and shows none. The destructor restores its mode, also after
+/// a signal, since the watch keeps the signal back and raises it last.
 struct terminal_lines::keys {
     explicit keys(int terminal) : terminal_(terminal) {
         tcgetattr(terminal, &before);

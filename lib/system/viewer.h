@@ -123,8 +123,8 @@ private:
             this->controls().show_hint(seconds);
     }
 
-    /// Tells the user if processors draw although GL was chosen, so that nobody takes their work
-    /// for GL's.
+    /// Tells the user if processors draw although GL was chosen. Otherwise the user would take
+    /// their work for GL's.
     void tell_who_draws(const std::string& gl) {
         if (gl.empty())
             std::cerr << command_

@@ -31,8 +31,8 @@ namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 20; // bytes that are sent at once
 
-/// The most seconds that the kernel may compute for a text. A megabyte takes about a second; broken
-/// files can make it compute for ever.
+/// The longest computing time of the kernel for a text, in seconds. A megabyte takes about a
+/// second; broken files can make the kernel compute for ever.
 rlim_t most_seconds(std::size_t size) {
     constexpr rlim_t at_least = 10, per_megabyte = 30;
     return at_least + per_megabyte * (size >> 20);

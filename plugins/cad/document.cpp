@@ -81,8 +81,8 @@ std::string name_of(const TDF_Label& label) {
     return text.starts_with("=>[") ? std::string() : text;
 }
 
-/// The names from the top of the assembly down to a part, separated by slashes. In a file of one
-/// part or one assembly, that one's name belongs to the part alone.
+/// The names from the top of the assembly down to a part, separated by slashes. If the file has one
+/// part or one assembly, its name is left out, unless it is the part's own.
 std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     std::string path;
     const int depth = at.CurrentDepth();
@@ -203,7 +203,8 @@ private:
         to_.number(one.opacity);
     }
 
-    /// Sets the look of the faces and curves that follow: this one, or that of their shape's place.
+    /// Sets the look of the faces and curves that follow: the given one, or else that of their
+    /// shape's place.
     void use(const std::optional<look>& now) {
         if (look_ == now)
             return;
@@ -222,7 +223,8 @@ private:
     std::vector<std::optional<look>> whole_; ///< looks of each shape as a whole
 };
 
-/// Shares of the work in large files: parsing the text, making shapes of it, and writing faces.
+/// Shares of the work that are done in large files once the text is parsed, and once shapes are
+/// made of it.
 constexpr double when_parsed = 0.2, when_made = 0.7;
 
 /// Takes the kernel's reports of its progress with shapes.

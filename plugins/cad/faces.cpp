@@ -34,13 +34,14 @@ using l3d_detail::cad_record;
 constexpr std::uint32_t no_edge = 0xffffffff; // l3d_no_edge
 /// Curves of loops are exact to this share of the face's range of parameters.
 constexpr double trim_share = 1e-9;
-/// Loops may gape by 2^-20 of their extent (l3d_trims_complaint). A line closes wider gaps, and
-/// those that are nearly as wide.
+/// A line closes gaps in loops that are wider than this share of the loop's extent. Loops may gape
+/// by 2^-20 of it (l3d_trims_complaint).
 constexpr double gap_share = 0x1p-22;
-/// Curves of sound files leave their surface only by rounding, or by a period. Beyond so many
-/// ranges of the face, doubles give their places no better than trim_share.
+/// The farthest that a curve may leave its surface, in ranges of the face. Curves of sound files do
+/// so only by rounding, or by a period. Beyond this, doubles give their places no better than
+/// trim_share.
 constexpr double most_ranges_beyond = 0x1p12;
-/// A thread of so many turns takes some 10^4 pieces.
+/// The most turns of a surface about its axis. A thread of so many turns takes some 10^4 pieces.
 constexpr double most_turns = 0x1p12;
 
 using place_2d = std::array<double, 2>;
@@ -205,7 +206,7 @@ struct face_writer::edge_use {
             result.emplace_back(each.Current(), face);
         if (result.size() == count)
             return result;
-        // The explorer stops where edges do not meet, so the nearest edge is then the next.
+        // The explorer stops where edges do not meet. Then the nearest edge is the next.
         std::vector<edge_use> left;
         for (TopoDS_Iterator each(wire); each.More(); each.Next())
             if (each.Value().Orientation() == TopAbs_FORWARD ||

@@ -41,9 +41,10 @@ namespace cad {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// In millimetres: a tenth of the distance within which the kernel considers points equal.
+/// The error of approximated curves, in millimetres. It is a tenth of the distance within which the
+/// kernel considers points equal.
 constexpr double approximation = 1e-6;
-/// Knots nearer to each other than this share of the range are one.
+/// Knots that are nearer to each other than this share of the range count as one.
 constexpr double same_share = 1e-12;
 
 /// The longest arc of a circle that is one rational piece; its weights are above cos(45 degrees).

@@ -55,7 +55,7 @@ struct direction {
     double to() const { return knots.back(); }
 };
 
-/// A control point: x, y, z and the weight, by which they are not multiplied.
+/// A control point: x, y, z and the weight. The coordinates are not multiplied by the weight.
 using point = std::array<double, 4>;
 
 struct rational_curve {

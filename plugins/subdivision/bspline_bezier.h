@@ -14,8 +14,8 @@ using net = std::array<double, 16>;
 /// Bits of the sides of a face that have no neighbours: v = 0, u = 1, v = 1, u = 0.
 enum side_bits : unsigned { v_low = 1, u_high = 2, v_high = 4, u_low = 8 };
 
-/// Computes the points beyond boundaries, each as far outside as the point before it is inside. So
-/// the boundary is the B-spline curve of its own points.
+/// Computes the control points beyond boundaries by reflection: each is as far outside as its
+/// counterpart is inside. So the boundary is the B-spline curve of its own points.
 inline void reflect_at_boundaries(net& p, unsigned boundary) {
     for (std::size_t i = 0; i < 4; ++i) {
         if (boundary & v_low)
@@ -31,10 +31,10 @@ inline void reflect_at_boundaries(net& p, unsigned boundary) {
     }
 }
 
-/// The Bezier points of the middle patch of 3 x 3.
+/// The Bezier points of the middle one of a uniform B-spline's 3 x 3 squares of control points.
 ///
-/// The order of sums does not depend on the direction in which a neighbour counts. So neighbours
-/// compute the same bits for their common side.
+/// Sums are in an order that does not depend on the direction in which a neighbour counts. So
+/// neighbours compute the same bits for their common side.
 /// Source: knot insertion; each Bezier point is a product of (1 4 1) / 6 and (2 1) / 3.
 inline net bezier_of(const net& p) {
     const auto at = [&](int row, int column) {
@@ -45,7 +45,8 @@ inline net bezier_of(const net& p) {
     net result{};
     for (const int r : {0, 1})
         for (const int c : {0, 1}) {
-            // The corner at control point (row, column); rows and columns go on by `down`, `right`.
+            // The corner at control point (row, column). `down` and `right` lead from there to
+            // further rows and columns.
             const int row = 1 + r, column = 1 + c, down = r == 0 ? 1 : -1, right = c == 0 ? 1 : -1;
             const auto put = [&](int i, int k, double value) {
                 const int to_row = r == 0 ? i : 3 - i, to_column = c == 0 ? k : 3 - k;

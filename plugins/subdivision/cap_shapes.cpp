@@ -33,8 +33,8 @@ face_ring::face_ring(const far::TopologyLevel& level, int face) {
     add(face, 0);
     const auto own = level.GetFaceVertices(face);
     for (int i = 0; i < own.size(); ++i) {
-        // They run counterclockwise; the first one is the face itself, so that equal rings have
-        // equal shapes.
+        // The faces around a vertex run counterclockwise. The list begins with the face itself, so
+        // that equal rings have equal shapes.
         const auto around = level.GetVertexFaces(own[i]);
         const auto local = level.GetVertexFaceLocalIndices(own[i]);
         const int begin = std::max(0, around.FindIndex(face));
@@ -89,8 +89,9 @@ net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
     return result;
 }
 
-/// The bicubic Bezier patch of a Gregory patch's twenty points. Each corner has five: itself, the
-/// points next to it on both sides, and two for the middle. The patch has the mean of the last two.
+/// The bicubic Bezier patch for a Gregory patch's twenty points. Each corner has five: itself, the
+/// points next to it on both sides, and two for the middle. The bicubic patch has the mean of these
+/// two.
 net bezier_of_gregory(const std::array<double, 20>& p) {
     const auto middle = [&](std::size_t corner) {
         return (p[5 * corner + 3] + p[5 * corner + 4]) / 2;
@@ -102,8 +103,8 @@ net bezier_of_gregory(const std::array<double, 20>& p) {
 /// The deepest level that Far has.
 constexpr int deepest = 10;
 
-/// Around a vertex with any number of faces, a subdivision shrinks lengths to 0.655 or less, so
-/// after 40 of them less than 2^-24 is left.
+/// The most stages of ten subdivisions. Around a vertex with any number of faces, a subdivision
+/// shrinks lengths to 0.655 or less. So after 40 of them less than 2^-24 is left.
 constexpr std::size_t most_stages = 4;
 
 mesh_topology topology_of(const face_ring& ring) {
@@ -135,10 +136,11 @@ struct rest {
 struct cap_shapes::weights {
     /// The results of ten subdivisions, as rows with a weight for each vertex.
     struct stage {
-        /// Differences of control points of exact patches and of the cap's part.
+        /// Differences between the control points of exact patches and those of the cap's part.
         std::vector<double> differences;
-        /// Differences in the faces that are left: from the cap's first control point there to all
-        /// points on which the limit surface depends, and to all others of the cap.
+        /// Differences in the faces that are left, from the cap's first control point there. The
+        /// first list has those to all points on which the limit surface depends, the second those
+        /// to all other control points of the cap.
         std::vector<double> surface_spread, cap_spread;
     };
     std::size_t vertices = 0;

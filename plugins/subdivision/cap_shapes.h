@@ -21,7 +21,8 @@ using place = std::array<double, 3>;
 /// A face with all faces that touch it: its limit surface depends on these vertices alone.
 struct face_ring {
     std::vector<int> vertices; ///< indices in the level, each once; those of the face first
-    /// All other facts on which the surface depends: equal for rings that differ only in places.
+    /// All other facts on which the surface depends. They are equal for rings that differ only in
+    /// places.
     std::vector<int> shape;
     std::vector<int> face_sizes, corners; ///< the faces, in the ring's own numbers
     std::vector<int> crease_vertices, point_vertices;

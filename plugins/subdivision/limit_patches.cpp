@@ -113,7 +113,7 @@ private:
     }
     bool has_finer(int level) const { return level + 1 < mesh_.refiner().GetNumLevels(); }
 
-    /// The vertex stays in its place at all finer levels.
+    /// The place of a vertex. It stays the same at all finer levels.
     place vertex(int level, int which, const place& own) {
         if (known(level, which))
             return *known(level, which);
@@ -194,9 +194,10 @@ level_patches patches_of(const refined_mesh& mesh, const std::vector<point>& poi
     return result;
 }
 
-/// Rounding: a vertex is a sum of products, at most one for each level and each vertex of a ring,
-/// with weights that add up to 1. With fewer than 2^10 vertices in a ring, 10 levels and the 2^3
-/// roundings of bezier_of, that is less than 2^14 times half an ulp of the largest coordinate.
+/// Bound of the rounding of places. A vertex is a sum of products, at most one for each level and
+/// each vertex of a ring, with weights that add up to 1. With fewer than 2^10 vertices in a ring,
+/// 10 levels and the 2^3 roundings of bezier_of, rounding is less than 2^14 times half an ulp of
+/// the largest coordinate.
 double rounding_of(const std::vector<place>& places) {
     double largest = 0;
     for (const place& p : places)

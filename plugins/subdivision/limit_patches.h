@@ -14,7 +14,7 @@ namespace l3d_limit {
 /// Patches with a bound of their distance from the limit surface at the same parameters.
 struct limit_patches {
     std::vector<std::array<net, 3>> patches; ///< x, y and z, face by face
-    std::vector<leaf> leaves;                ///< that the patches stand for
+    std::vector<leaf> leaves;                ///< the leaves that the patches stand for
     std::vector<double> errors;              ///< one for each patch
     double error = 0;                        ///< the largest of them
     int levels = 0;

@@ -21,7 +21,7 @@ namespace l3d_limit {
 struct mesh_topology {
     int vertices = 0;
     std::vector<int> face_sizes, corners;
-    std::vector<int> crease_vertices; ///< two of each crease
+    std::vector<int> crease_vertices; ///< two vertices for each crease
     std::vector<float> crease_sharpness;
     std::vector<int> point_vertices;
     std::vector<float> point_sharpness;
@@ -30,10 +30,10 @@ struct mesh_topology {
 
 /// A face that is not subdivided further: one patch.
 struct leaf {
-    int base_face;   ///< the cage's face that it is a part of.
+    int base_face;   ///< the cage's face that it is a part of
     int quad;        ///< its index among all quads. A face of n corners has n, or 1 if n is 4.
     int level, face; ///< the level, and the index among its faces
-    /// The part of its quad, whose parameters run from 0 to 1.
+    /// The part of the quad that the leaf covers. The quad's parameters run from 0 to 1.
     double u, v, size;
     bool is_regular;
     unsigned boundary; ///< sides without neighbours, as side_bits, if it is regular

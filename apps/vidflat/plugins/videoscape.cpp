@@ -19,7 +19,8 @@ struct videoscape {
     std::string file;
 };
 
-/// Reads a number and returns whether there was one. The C++ library's >> skips blanks.
+/// Reads a number after any blanks. Returns false if there is none; then `why` tells what is
+/// missing.
 bool read(std::istream& text, const std::string& what, double& number, std::string& why) {
     if (text >> number)
         return true;

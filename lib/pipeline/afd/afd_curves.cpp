@@ -24,7 +24,8 @@ void l3d_pipeline_afd::draw_curves(const l3d_shading& shading) {
                                     .base = shading.depth_base,
                                     .step = shading.depth_step};
     const auto draw = [&](const l3d_space_curve& curve) {
-        // Surfaces and chords keep the tolerance each, so they may be off by twice as much.
+        // Surfaces and chords may each be off by the tolerance, so they may differ by twice as
+        // much.
         const l3d_detail::depth_lines::line line{.depth = depth_,
                                                  .width = curve.width(),
                                                  .error = 2 * settings_.tolerance +

@@ -73,7 +73,8 @@ private:
 
 } // namespace
 
-/// Lines have no depth: as for a wireframe, it is cleared.
+/// Draws lines in place of surfaces. They have no depth, so the depth is cleared, as for a
+/// wireframe.
 void l3d_pipeline_afd::draw_drawing(const l3d_shading& shading) {
     untouched_ = false;
     if (wants_depth()) {
@@ -84,7 +85,7 @@ void l3d_pipeline_afd::draw_drawing(const l3d_shading& shading) {
                                         l3d_line_settings::most_tolerance);
     const l3d_line_drawing drawn =
         l3d_draw_lines(scene_, camera_, stages_->view.size, {.tolerance = tolerance});
-    // Wider than a pixel, so that all lines become one path, which covers joints once.
+    // Lines wider than a pixel become one path, which covers joints once.
     constexpr double width = 1.25;
     l3d_detail::wire_picture picture(rasterizer_, screen_->pixels(), shading, settings_.antialias,
                                      width * std::max(1.0, screen_->text_scale()));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::uint32_t mark_color = 0x00ffd873;
 
-/// Lines between points of the image; equal ones of several patches are kept once. A line that
+/// Lines between points of the image. A line that several patches have is kept once. A line that
 /// reaches behind the near plane is left out.
 class image_lines {
 public:
@@ -75,7 +75,7 @@ void l3d_pipeline_afd::draw_nets() {
                 }
         }
     }
-    // A smooth line would not cover transparent pixels.
+    // Smooth lines are no use on transparent pixels, since they would not cover these.
     const bool smooth = settings_.antialias && !settings_.background.is_none();
     l3d_detail::wire_drawer(rasterizer_, l3d_detail::net_color, smooth, screen_->text_scale())
         .draw(lines.all());

@@ -109,7 +109,7 @@ void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times
         times.raster += writing.milliseconds();
     }
 
-    // The depth is that of the nearest surface, as if it were opaque.
+    // The depth is that of the nearest surface, as if all surfaces were opaque.
     if (wants_depth())
         draw_surfaces(now, {what_is_there(), mixed, whole, true}, times);
 }
@@ -123,16 +123,16 @@ l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
     return scene_.only(there);
 }
 
-/// Bound of levels of a mean of light: at most 4/3 of each picture's error (NUMERICS, section 22),
-/// and one more rounding.
+/// Bound of the error, in levels, of a mean of light. It is at most 4/3 of each picture's error
+/// (NUMERICS, section 22), and one more rounding.
 double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
     constexpr double most_steep = 4.0 / 3, rounding = 0.51;
     return most_steep * of_each + rounding;
 }
 
-/// Bound of levels that fog adds. A drawn surface is nowhere farther from the exact one than the
-/// bound of depth, in pixels at its distance. Fog is rounded to whole 255ths, and its two products
-/// to whole levels.
+/// Bound of the error, in levels, that fog adds. A drawn surface is nowhere farther from the exact
+/// one than the bound of depth, in pixels at its distance. Fog is rounded to whole 255ths, and its
+/// two products to whole levels.
 double l3d_pipeline_afd::shade_bound_of_fog() const {
     const l3d_fog& fog = settings_.fog;
     if (!fog.is_on())
@@ -145,9 +145,9 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
     return white * most_off / (far - double{fog.from}) + rounding;
 }
 
-/// Bound of shades under lights. A pixel's shade belongs to an exact point within the bound of
-/// places, which is seen under the largest angle in the picture's middle. The rays of a parallel
-/// projection have one direction.
+/// Bound of the error of shades under lights. A pixel's shade belongs to an exact point within the
+/// bound of places. That bound is seen under the largest angle in the picture's middle. The rays of
+/// a parallel projection have one direction.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
     return l3d_lit_shade_bound(

@@ -23,10 +23,10 @@ constexpr std::uint32_t rim_color = 0x00101418, handle_color = 0x00f4f4f4,
 constexpr double pale = 0.35;  // the part of its colour that a hidden line keeps
 constexpr double radius = 3.5; // the size of a handle, in pixels
 constexpr double grasp = 10;   // most pixels from the pointer to a handle's middle
-/// A notch of the wheel changes a weight by this factor.
+/// The factor by which a notch of the wheel changes a weight.
 constexpr double notch_weight = 1.1;
-/// Lines are hidden only if they are farther than the surface by this factor. Else rounding would
-/// hide the lines of a net that lie on it.
+/// A line is hidden only if it is farther than the surface by this factor. Otherwise rounding would
+/// hide the lines of a net that lie on the surface.
 constexpr double just_behind = 1.004;
 
 /// A place in the picture, from its left upper corner, and its distance along the view axis.
@@ -259,8 +259,8 @@ l3d_control_handles::effect l3d_control_handles::drag(const l3d_event& motion,
                                          motion.y + 0.5 + grab_->down, distance, view.size))
                    ? effect::changed
                    : effect::seen;
-    // Along the line of sight, a motion moves a handle as far as it would sideways. Handles nearer
-    // than the near plane would be lost.
+    // A motion along the line of sight is as long as the same motion to the side would be. Handles
+    // must not come nearer than the near plane, where they would be lost.
     const double way = (std::exchange(grab_->y, motion.y) - motion.y) * distance /
                        view.camera.focal_length(view.size);
     const bool stays = distance + way >= 2 * view.camera.near_z;

@@ -22,7 +22,8 @@
 #include <memory>
 #include <vector>
 
-/// Everything that a picture depends on, except the placements of its models.
+/// Everything that a picture depends on, except the placements of its models. If it is unchanged,
+/// only the models that were moved need be drawn again.
 struct l3d_pipeline_afd::basis {
     l3d_pixels target;
     l3d_matrix<double> to_image;

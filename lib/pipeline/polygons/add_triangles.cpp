@@ -124,7 +124,8 @@ public:
         }
     }
 
-    /// Lanes after the last triangle get meaningless values, which later calls overwrite.
+    /// Adds `together` triangles from number `i` on. Lanes after the last triangle get meaningless
+    /// values, which later calls overwrite.
     HWY_INLINE void add_some(std::size_t i) {
         const std::size_t place = to_.count + i, at = place % l3d_micro_triangles::lanes;
         corner_records records;

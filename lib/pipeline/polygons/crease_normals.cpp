@@ -15,10 +15,11 @@ float cosine(double degrees) {
     return static_cast<float>(std::cos(degrees * std::numbers::pi / 180));
 }
 
-/// Margin for normals rounded to float: those of coplanar faces differ by some ulps.
+/// Margin for normals that are rounded to float. The normals of coplanar faces then differ by some
+/// ulps.
 constexpr float rounding = 1e-6F;
 
-/// The first corner of a corner's group, which stands for the group.
+/// The corner that stands for a corner's group: the group's first one.
 std::uint32_t first_of(std::vector<std::uint32_t>& groups, std::uint32_t corner) {
     while (groups[corner] != corner)
         corner = groups[corner] = groups[groups[corner]];
@@ -49,8 +50,8 @@ crease_normals::crease_normals(const l3d_polygon_mesh& mesh, std::span<const vec
         if (!mesh.vertex_normals.empty() && mesh.vertex_normals[v] != vector{0.0, 0.0, 0.0})
             continue;
         const std::span<const corner> around(corners.data() + ends[v], ends[v + 1] - ends[v]);
-        // Faces within half the crease angle of their mean are within the whole angle of each
-        // other.
+        // If all faces are within half the crease angle of their mean, any two are within the whole
+        // angle.
         const bool is_flat = std::ranges::all_of(around, [&](const corner& c) {
             return l3d_dot(of_faces_[c.face], of_vertices[v]) >= least_of_mean_;
         });
@@ -87,7 +88,7 @@ void crease_normals::divide(std::uint32_t vertex, std::span<const corner> around
         is_one = first_of(groups_, i) == 0 && is_one;
     if (is_one)
         return;
-    // Each group's sum is complete before its normal gets a number.
+    // Adds up all groups first, since a group's normal is made of its complete sum.
     sums_.assign(around.size(), vector{0.0, 0.0, 0.0});
     numbers_.assign(around.size(), none);
     for (std::uint32_t i = 0; i < around.size(); ++i)
@@ -101,7 +102,7 @@ void crease_normals::divide(std::uint32_t vertex, std::span<const corner> around
         }
         places_.push_back({vertex, around[i].face, numbers_[first]});
     }
-    // Vertices come in order; the faces of a vertex do not.
+    // Vertices come in order, but the faces of a vertex do not.
     std::sort(places_.begin() + static_cast<std::ptrdiff_t>(begin), places_.end());
 }
 

@@ -15,8 +15,8 @@ namespace l3d_detail {
 /// Finds the normals of corners that differ from those of their vertices.
 ///
 /// Two faces that share an edge are smooth there if their normals are at most the crease angle
-/// apart. Around a vertex, faces that are connected by smooth edges share a normal: the mean of
-/// their own, weighted by area. A vertex all of whose faces are smooth keeps one normal for all.
+/// apart. Faces around a vertex that smooth edges connect share a normal: the mean of their own,
+/// weighted by area. If smooth edges connect all of them, the vertex keeps its one normal.
 /// Cost: k log k for a vertex of k faces.
 class crease_normals {
 public:

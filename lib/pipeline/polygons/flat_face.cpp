@@ -51,8 +51,8 @@ private:
     }
 
     /// Whether the face's border at corner p, in or on a triangle, enters the triangle's inside. A
-    /// border that enters by the diagonal between a and c could leave only at a corner inside, or
-    /// at b. These corners are tested, too.
+    /// border that enters across the diagonal between a and c must leave at a corner inside, or at
+    /// b. Those corners are tested, too.
     bool blocks(const flat_face::triangle& triangle, std::size_t p,
                 const std::array<wide_integer, 3>& turns) const {
         const bool inside_ab = turns[0] > 0, inside_bc = turns[1] > 0, on_ca = turns[2] == 0;
@@ -66,8 +66,8 @@ private:
         return (inside_ab && inside_bc) || enters(previous_[p]) || enters(next_[p]);
     }
 
-    /// The first corner of a queue for which `still` holds, or 0 for none: corner 0 is never cut
-    /// off.
+    /// The first corner of a queue for which `still` holds; 0 if there is none, since corner 0 is
+    /// never cut off.
     template <class Queue, class Still>
     static std::size_t first_of(Queue& queue, const Still& still) {
         while (!queue.empty()) {
@@ -79,9 +79,9 @@ private:
         return 0;
     }
 
-    /// The next corner to cut off: the first ear. If there is none, it is a corner between two
-    /// others on a line, or at the tip of a spike: its triangle covers nothing. A face that crosses
-    /// itself may have neither.
+    /// The next corner to cut off: the first ear. If there is none, it is a corner whose triangle
+    /// covers nothing: one between two others on a line, or at the tip of a spike. A face that
+    /// crosses itself may have neither.
     std::size_t next_ear() {
         const auto is_ear = [&](std::size_t corner) { return bool(is_ear_[corner]); };
         if (const std::size_t ear = first_of(ears_, is_ear))
@@ -92,8 +92,8 @@ private:
         };
         if (const std::size_t flat = first_of(flat_, is_flat))
             return flat;
-        // Where corners coincide, a corner may have become an ear that is no neighbour of the last
-        // one cut off.
+        // Where corners coincide, another corner than the neighbours of the last one cut off may
+        // have become an ear.
         if (surveys_ < most_surveys) {
             ++surveys_;
             for (std::size_t i = next_[0]; i != 0; i = next_[i])
@@ -127,7 +127,8 @@ private:
     using queue =
         std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<std::size_t>>;
     queue ears_, flat_;
-    /// Faces that cross themselves run out of ears again and again. A survey judges all corners.
+    /// The most surveys, each of which judges all corners. Faces that cross themselves run out of
+    /// ears again and again.
     static constexpr int most_surveys = 16;
     int surveys_ = 0;
     std::vector<flat_face::triangle> triangles_;
@@ -178,8 +179,8 @@ std::vector<flat_face::triangle> flat_face::triangles() const {
     return fan;
 }
 
-/// Whether the border turns left everywhere, never back, and goes round once: it reverses its way
-/// along u at most twice.
+/// Whether the face is convex: its border turns left everywhere, never back, and goes round once. A
+/// border that goes round once reverses its direction along u at most twice.
 bool flat_face::is_convex() const {
     const std::size_t n = places_.size();
     int reversals = 0;

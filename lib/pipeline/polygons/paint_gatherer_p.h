@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// Gives each triangle of painted models a name: a number of its own beyond those of the frame's
-/// materials, by which rasterizers find its paint.
+/// Gives each triangle of painted models a name, by which rasterizers find its paint. A name is a
+/// number beyond those of the frame's materials.
 /// Lives: borrows the settings and the paints that it fills.
 class paint_gatherer {
 public:

@@ -89,8 +89,9 @@ public:
 
     /// The vertex of that place and normal, added if missing. A crease has several at one place.
     std::uint32_t shared(const point& at, const point& normal) {
-        // Normals of two patches that join smoothly differ by roundings, and by how smoothly their
-        // control points join. A thousandth of a radian is a quarter of a grey level.
+        // Two patches that join smoothly have normals that differ by roundings, and by the
+        // inaccuracy of their control points. A thousandth of a radian is a quarter of a grey
+        // level.
         constexpr double same = 1e-3;
         std::vector<std::uint32_t>& here = by_place_[numbers(at)];
         for (const std::uint32_t i : here)

@@ -27,8 +27,8 @@ class l3d_polygon_wires;
 /// The way in which faces are shown.
 enum class L3D_PUBLIC l3d_polygon_style {
     solid,        ///< faces, filled
-    wireframe,    ///< the sides of all faces but culled ones
-    hidden_lines, ///< the sides, but for parts that faces hide
+    wireframe,    ///< the sides of all faces that are not culled
+    hidden_lines, ///< the sides, without the parts that faces hide
 };
 
 /// The answer of l3d_pipeline_polygons::why_empty if all faces were left out because they are seen
@@ -66,8 +66,8 @@ struct L3D_PUBLIC l3d_polygon_settings {
     std::optional<l3d_texture_filter> textures = l3d_texture_filter::anisotropic;
 
     /// Whether faces that are seen from behind are left out. Else both sides of all faces are
-    /// shown, with the normals turned to the eye. Faces that closed bodies hide cost nothing in
-    /// both cases.
+    /// shown, with the normals turned to the eye. Backs inside of closed bodies cost nothing in
+    /// both cases, since their fronts hide them.
     bool cull = false;
 
     /// The picture's colours where nothing is drawn.
@@ -194,8 +194,8 @@ private:
     virtual void draw_solid(const scene& what, l3d_polygon_report& report) = 0;
     virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
     virtual const char* name() const = 0;
-    /// Whether the frame is made with parts (l3d_polygon_frame::parts), beside its list of
-    /// triangles or instead of it.
+    /// Whether the frame needs parts (l3d_polygon_frame::parts), with or without its list of
+    /// triangles.
     virtual bool draws_parts(const l3d_shading&) const { return true; }
 
     void draw_model(l3d_polygon_report& report);

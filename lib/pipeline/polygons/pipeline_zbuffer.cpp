@@ -20,7 +20,7 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model 
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
-/// Copies the pointer to the factory: the canvas may be its only owner, and is moved from before
+/// Copies the pointer to the factory. The canvas may be its only owner, and is moved away before
 /// surfaces are made.
 l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model,
                                            const l3d_camera& camera,
@@ -47,7 +47,7 @@ void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
     report.renderer = rasterizer.describe();
 }
 
-/// The rasterizer for a shading: GL lacks our fog, so processors draw such frames.
+/// The rasterizer for a shading. GL lacks the library's fog, so processors draw such frames.
 l3d_surface_rasterizer& l3d_pipeline_zbuffer::rasterizer_for(const l3d_shading& shading) {
     if (!shading.fog.is_on() || rasterizer_->inspects())
         return *rasterizer_;
@@ -65,7 +65,7 @@ void l3d_pipeline_zbuffer::draw_solid(const scene& what, l3d_polygon_report& rep
 void l3d_pipeline_zbuffer::draw_hidden_lines(const scene& what, l3d_polygon_report& report) {
     const stopwatch filling;
     depth_.resize(what.target.size());
-    scene clear = what; // without fog, GL may fill the depth
+    scene clear = what; // GL may fill the depth if there is no fog
     clear.shading.fog = {};
     fill(clear, &depth_, report);
     what.frame.list(triangles_, workers());

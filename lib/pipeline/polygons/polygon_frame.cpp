@@ -60,7 +60,8 @@ bool may_be_seen(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d
            std::max(top, 0) < std::min(bottom, size.height);
 }
 
-/// In a parallel projection w is 1 everywhere, so near and far cut nothing.
+/// The window that cuts triangles. In a parallel projection w is 1 everywhere, so near and far cut
+/// nothing.
 l3d_dice_view window_of(const l3d_polygon_view& view) {
     l3d_dice_view window;
     window.size = view.size();
@@ -189,7 +190,7 @@ void l3d_polygon_frame::add_to_part(const frame_input& in, const chosen_triangle
     }
 }
 
-/// Notes how the last `count` triangles of the part turn in the picture.
+/// Notes the turns of the part's last `count` triangles in the picture.
 void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = all.count - count; i < all.count; ++i) {
@@ -200,8 +201,8 @@ void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     }
 }
 
-/// Notes the sides beyond which no triangle turns the same way: there the surface may end or fold
-/// over. A triangle that covers nothing adds no sides, since its neighbours do.
+/// Notes the sides beyond which no triangle turns in the same direction: there the surface may end
+/// or fold over. A triangle that covers nothing adds no sides, since its neighbours do.
 void l3d_polygon_frame::make_border(chunk& of) const {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = 0; i < all.count; ++i) {
@@ -223,7 +224,8 @@ void l3d_polygon_frame::make_border(chunk& of) const {
     }
 }
 
-/// The normal of a face, or of its corner if shades are smooth, turned round if seen from behind.
+/// The normal of a face or, if shades are smooth, of its corner. It is turned round if the face is
+/// seen from behind.
 l3d_polygon_frame::normal l3d_polygon_frame::normal_of(const frame_input& in, std::size_t triangle,
                                                        std::size_t corner, bool from_behind) {
     const auto& of = in.how.smooth ? in.model.corner_normal(triangle, corner)
@@ -250,7 +252,8 @@ void l3d_polygon_frame::add_piece(const frame_input& in, std::size_t number,
         to.part.triangles.add(v[0], v[1], v[2], material);
 }
 
-/// In a parallel projection, a clipped corner carries its depth as its parameter u.
+/// Clips a triangle and adds its pieces. In a parallel projection, a clipped corner carries its
+/// depth as its parameter u.
 void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, bool from_behind,
                                     chunk& to) {
     const l3d_model_triangle& triangle = in.model.triangles()[number];
@@ -276,8 +279,8 @@ void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, b
         }
         if (!may_be_seen(p[0], p[1], p[2], in.view.size(), in.how.antialias))
             continue;
-        // The pieces are a fan. Its border has the middle side of each piece, the first piece's
-        // first and the last piece's last.
+        // The pieces are a fan. Its border consists of the middle side of each piece, the first
+        // side of the first piece, and the last side of the last piece.
         const bool first = i == 0, last = i + 1 == pieces.count;
         add_piece(in, number, p, static_cast<std::uint32_t>(first | 2 | last << 2), to);
         seen = true;

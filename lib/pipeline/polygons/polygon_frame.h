@@ -45,13 +45,13 @@ public:
         /// Whether parts are made. Else triangles can only be listed. Expects: true for
         /// anti-aliasing.
         bool parts = true;
-        /// Whether faces seen from behind are left out without `cull`, too, if closed bodies hide
+        /// Whether faces seen from behind are left out even without `cull`, if closed bodies hide
         /// them all.
         bool cull_hidden = false;
         /// The index of the model's first material among the picture's materials.
         std::uint32_t first_material = 0;
-        /// If each triangle has a material of its own (l3d_face_paints), the index of the first
-        /// triangle's. Expects: the model has materials.
+        /// The index of the first triangle's own material, if each triangle has one
+        /// (l3d_face_paints). Expects: the model has materials.
         std::optional<std::uint32_t> first_painted{};
     };
 
@@ -69,8 +69,8 @@ public:
     /// Lives: until the next make.
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
-    /// Lists the triangles of all parts one by one, each with those of its sides that are sides of
-    /// faces. A clipped triangle has the outline of the part that is left.
+    /// Lists the triangles of all parts one by one. Each tells which of its sides are sides of its
+    /// face. A clipped triangle has the outline of the part that is left.
     /// Expects: model and view of the last make are still there.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
@@ -83,19 +83,20 @@ public:
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
-    /// The wanted number of chunks, and the least and the largest number of triangles in one.
-    /// Without `ends`, a chunk is one item of work and one part. The smallest takes some 10^4
-    /// cycles. 16 chunks give workers even shares. Larger ones would not stay in a cache of the
-    /// second level.
+    /// The wanted number of chunks, and the least and the largest number of triangles in a chunk.
+    /// Without `ends`, a worker takes a chunk at a time, and a chunk is one part. The smallest
+    /// takes some 10^4 cycles. 16 chunks give workers even shares. Larger chunks would not stay in
+    /// a cache of the second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {
         l3d_surface_part part;
-        /// Numbers in the model of the triangles that are drawn. Pieces of a clipped triangle
-        /// follow each other.
+        /// The drawn triangles' numbers in the model. Pieces of a clipped triangle follow each
+        /// other.
         std::vector<std::uint32_t> names;
-        /// For each of `names`, the sign bit of a float if it is seen from behind, else 0. For a
-        /// piece of a clipped triangle it is 1 more than the index in `pieces`.
+        /// How to draw each of `names`. For a whole triangle it is 0, or the sign bit of a float if
+        /// it is seen from behind. For a piece of a clipped triangle it is 1 more than the index in
+        /// `pieces`.
         std::vector<std::uint32_t> signs;
         std::vector<l3d_painter_triangle> pieces; ///< pieces of clipped triangles
         l3d_diced_piece clipped;                  ///< pieces of one triangle
@@ -134,7 +135,7 @@ private:
     void note_turns(std::size_t count, const chunk& of);
     void make_border(chunk& of) const;
 
-    /// How a triangle of the model turns in the picture.
+    /// The direction in which a triangle's corners go round in the picture.
     enum class turn : std::uint8_t { not_drawn, none, right, left, clipped };
 
     std::optional<frame_input> input_; ///< input of the last make

@@ -129,8 +129,8 @@ void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> l
         materials.clear();
 }
 
-/// Makes painted triangles, if vertices have colours or textures were read. Pictures that nobody
-/// has read are no reason to look at each pixel.
+/// Makes painted triangles if vertices have colours or textures were read. If nobody has read the
+/// pictures, there is no need to look at each pixel.
 void l3d_polygon_model::contents::make_painted() {
     painted.clear();
     const bool has_texture = std::ranges::any_of(materials, [&](const l3d_material& material) {
@@ -271,7 +271,7 @@ void l3d_polygon_model::contents::make_facing_blocks() {
 }
 
 /// Turns normals to the side from which corners run counterclockwise, whatever a file takes for its
-/// outside: the visible side is lit. Where a surface folds over, faces around one vertex need
+/// outside. So the visible side is lit. Where a surface folds over, faces around one vertex need
 /// opposite normals, since light interpolated between opposite normals would be dark.
 void l3d_polygon_model::contents::turn_normals_to_faces() {
     const auto side_of = [&](const l3d_model_triangle& t, std::size_t k) {
@@ -350,7 +350,7 @@ l3d_polygon_model l3d_polygon_model::without(std::span<const std::size_t> parts)
     return shown(faces);
 }
 
-/// Cuts the triangles instead of the faces, which may be concave.
+/// Cuts the model at a plane. It cuts triangles instead of faces, since these may be concave.
 l3d_polygon_model l3d_polygon_model::cut(const l3d_plane<double>& plane) const {
     l3d_polygon_mesh shown;
     shown.vertices = mesh().vertices;

@@ -45,13 +45,14 @@ inline constexpr double l3d_usual_crease_angle = 30;
 
 /// A polygon mesh ready to be drawn: faces as triangles, normals of faces and vertices, its box.
 ///
-/// Faces of more than three corners are cut into triangles by clipping ears, in the plane they are
-/// most parallel to. That takes n log n time for n corners. Faces that cross themselves become
-/// arbitrary triangles. A model never changes after it is made. Its copies share its contents.
+/// Clipping ears cuts faces of more than three corners into triangles, in the coordinate plane that
+/// they are most parallel to. That takes n log n time for n corners. Faces that cross themselves
+/// become arbitrary triangles. A model never changes after it is made. Its copies share its
+/// contents.
 /// Lives:   the contents live as long as any copy does, such as the one in a pipeline.
-/// Cost:    memory per triangle 22 bytes and 12 for the face's normal, per vertex 12 for its
-///          normal, beside the mesh's own: 68 bytes per face of a closed mesh of triangles. A copy
-///          counts a reference. A move is a copy, so no model is ever without contents.
+/// Cost:    22 bytes for each triangle, 12 for each face's normal and 12 for each vertex's, beside
+///          the mesh's own: 68 bytes per face of a closed mesh of triangles. A copy counts a
+///          reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_polygon_model {
 public:
     /// A place in the model's space.
@@ -68,9 +69,9 @@ public:
     ~l3d_polygon_model() = default;
 
     /// A model of this mesh. With `to_origin`, it is moved so that the mean of the vertices is the
-    /// origin. Faces whose normals are at most the crease angle apart look smooth where they meet,
-    /// unless the mesh has normals: then these count. Faces of four corners that cross themselves
-    /// become two triangles.
+    /// origin. If the mesh has no normals, faces look smooth where they meet if their normals are
+    /// at most the crease angle apart. Faces of four corners that cross themselves become two
+    /// triangles.
     /// Units:   degrees.
     /// Expects: mesh.is_valid(); coordinates of magnitude at most 1e12; an angle of 0 to 180.
     explicit l3d_polygon_model(l3d_polygon_mesh mesh, bool to_origin = false,
@@ -95,9 +96,9 @@ public:
     /// corners run counterclockwise.
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
-    /// The unit normals of vertices. They are the mesh's own if it has any, turned to the side of
-    /// most faces' normals. Else each is the mean of the faces around, weighted by area. They are
-    /// zero where no face is. At creases, corner_normal() has others.
+    /// The unit normals of vertices. If the mesh has normals, they are these, turned to the side
+    /// that most faces' normals point to. Else each is the mean of the faces around, weighted by
+    /// area. A vertex without a face has 0. At creases, corner_normal() has others.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
     /// The normal that a triangle is lit with at a corner. It is the vertex's, another one if the
@@ -129,9 +130,10 @@ public:
     /// A model that shows all but some parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// The shown faces in front of a plane, cut where they pass through it: a body is open there.
-    /// Pictures are left out, and normals are made anew, with the usual crease angle, unless the
-    /// mesh has its own. The model keeps its box, and turns about the same centre.
+    /// A model of the shown faces in front of a plane. Faces that the plane passes through are cut,
+    /// so a body is open there. Pictures are left out. Normals are made anew with the usual crease
+    /// angle, unless the mesh has its own. The model keeps its box, and turns about the same
+    /// centre.
     /// Cost: as the constructor.
     l3d_polygon_model cut(const l3d_plane<double>& plane) const;
 
@@ -217,9 +219,10 @@ private:
 /// 0.7 GB.
 inline constexpr std::int64_t l3d_most_texture_pixels = std::int64_t{1} << 26;
 
-/// The textures of a mesh, for l3d_polygon_model::textured: one for each of its pictures. A picture
-/// that no face shows is null, and so is one that cannot be read or is too large. For each of the
-/// latter, `notes` get a line with file and reason: no model is lost for a picture.
+/// Reads the textures of a mesh, for l3d_polygon_model::textured: one for each of its pictures. A
+/// picture that no face shows is null, and so is one that cannot be read or is too large. For each
+/// of the latter, `notes` get a line with file and reason. So no picture keeps a model from being
+/// shown.
 ///
 ///     std::vector<std::string> notes;
 ///     const l3d_polygon_model plain(mesh);
@@ -234,11 +237,11 @@ L3D_PUBLIC std::shared_ptr<const l3d_texture> l3d_read_texture(const std::string
 
 struct l3d_model_file;
 
-/// The largest n for l3d_tessellated that programs take. It makes 2 n^2 triangles of each patch,
-/// two million for the teapot.
+/// The largest n that programs give to l3d_tessellated. It makes 2 n^2 triangles of each patch, two
+/// million for the teapot.
 inline constexpr int l3d_most_facets = 192;
 
-/// The n for l3d_tessellated with which programs usually draw models as polygons.
+/// The n that programs usually give to l3d_tessellated, to draw models as polygons.
 inline constexpr int l3d_usual_facets = 8;
 
 /// Patches as triangles.
@@ -247,16 +250,15 @@ struct L3D_PUBLIC l3d_patch_mesh {
     std::vector<std::size_t> face_ends; ///< patch by patch, the number of faces up to its last
 };
 
-/// Turns each patch into n by n quads of two triangles, counterclockwise seen from where dS/du x
-/// dS/dv points to. Their vertices have the patch's normals, and the triangles its material and its
-/// part.
+/// Turns each patch into n by n quads of two triangles, counterclockwise as seen from the side to
+/// which dS/du x dS/dv points. Their vertices have the patch's normals, and the triangles its
+/// material and its part.
 ///
-/// Patches with a common boundary have the same points on it: these are a function of the
-/// boundary's control points, whichever way it runs. They are one vertex, unless the normals of the
-/// two differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left
-/// out.
+/// Patches with a common boundary have the same points on it, since these depend on the boundary's
+/// control points alone, in either direction. Two such points are one vertex, unless their normals
+/// differ, as at a crease. Triangles whose corners coincide, as at the teapot's knob, are left out.
 /// Expects: n >= 1.
-/// Errors: throws l3d_error(bad_input) for trimmed surfaces.
+/// Errors:  throws l3d_error(bad_input) for trimmed surfaces.
 L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 
 /// The polygons of a file that was read, and its patches as n by n quads each.

@@ -14,9 +14,8 @@ namespace {
 using vector = l3d_camera::vector;
 
 constexpr double epsilon = 0x1p-53;
-/// Roundings of a coordinate along the ray: the matrix is good to 24 of them, turning the model
-/// adds 24, products and sums 8.
-/// Relative to the sum of all terms' magnitudes.
+/// Roundings of a coordinate along the ray, as a part of the sum of all terms' magnitudes. The
+/// matrix is good to 24 of them, turning the model adds 24, products and sums 8.
 constexpr double ray_rounding = 64 * epsilon;
 constexpr double world_rounding = 32 * epsilon;
 
@@ -59,7 +58,8 @@ private:
     double x_, y_, reach_ = 0, error_ = 0;
 };
 
-/// The ray's crossing with a triangle. The corners' weights are in proportion to three areas.
+/// The place where the ray crosses a triangle. The corners' weights are in proportion to three
+/// areas.
 struct crossing {
     std::array<double, 3> weights{};
     double error = 0, depth = 0;

@@ -65,10 +65,11 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
     forward_ = turned_back(placement, camera.axes().forward);
 }
 
-/// Let n and q be a normal's and a point's differences from `axis` and `middle`. Then N . (eye - p)
-/// = axis . (eye - middle) + n . (eye - middle) - N . q. The last two terms are at most spread |eye
-/// - middle| + reach. Rounding adds less than 2^-50 of these lengths, and a unit vector in floats
-/// may be 2^-22 too long; `added` is many times as much.
+/// Tests the plane through `middle` with the normal `axis`, with a margin for all others. Let n and
+/// q be the differences of a normal and of a point from `axis` and `middle`. Then N . (eye - p) =
+/// axis . (eye - middle) + n . (eye - middle) - N . q. The last two terms are at most spread |eye -
+/// middle| + reach. Rounding adds less than 2^-50 of these lengths, and a unit vector in floats may
+/// be 2^-22 too long; `added` is many times as much.
 bool l3d_polygon_view::all_face(const vector& axis, double spread, const vector& middle,
                                 double reach, bool front) const {
     constexpr double added = 1e-6;
@@ -91,7 +92,8 @@ l3d_shading l3d_polygon_view::shading(l3d_shade mode, const vector& light,
                                       const l3d_lighting& lighting) const {
     l3d_shading result = l3d_camera_shading(camera_, size_, mode, light, lighting);
     result.ray = result.ray_right = result.ray_down = {0, 0, 0};
-    // A column is 1 / stretch as wide, and the picture's middle lies `shift` to the right and down.
+    // In the stretched picture, a column is 1 / stretch as wide, and the middle lies `shift` to the
+    // right and down.
     const double left = size_.width / 2.0 * (1 - 1 / fit_.stretch) - fit_.shift / fit_.stretch;
     for (std::size_t i = 0; i < 3; ++i) {
         result.look[i] +=

@@ -17,11 +17,11 @@
 #include <optional>
 #include <string>
 
-/// The axes that a model is turned about, the first one first. All are the world's.
+/// The order in which a model is turned about the world's axes, the first one first.
 enum class L3D_PUBLIC l3d_rotation_order { xyz, xzy, yxz, yzx, zxy, zyx };
 
-/// Turns about the three axes, one after the other, through a centre that stays where it is.
-/// Units: degrees about x, y and z, counterclockwise for one at whom the axis points.
+/// The matrix that turns about the three axes, one after the other. The centre stays where it is.
+/// Units: degrees about x, y and z, counterclockwise for a person at whom the axis points.
 L3D_PUBLIC l3d_matrix<double>
 l3d_euler_rotation(const l3d_vector<double, 3>& degrees, const l3d_vector<double, 3>& centre,
                    l3d_rotation_order order = l3d_rotation_order::xyz);
@@ -79,8 +79,9 @@ public:
         return is_parallel() ? -l3d_dot(normal, forward_) : l3d_dot(normal, eye_ - point);
     }
 
-    /// Whether all planes with normals within `spread` of `axis` and points within `reach` of
-    /// `middle` show their fronts or, if `front` is false, their backs. In doubt it says no.
+    /// Whether all planes of a group certainly show their fronts or, if `front` is false, their
+    /// backs. The group has normals within `spread` of `axis` and points within `reach` of
+    /// `middle`.
     /// Expects: normals of length 1 or 0.
     bool all_face(const vector& axis, double spread, const vector& middle, double reach,
                   bool front) const;

@@ -32,8 +32,8 @@ std::uint8_t outcode(const clip_planes& planes, const homogeneous& h) {
     return static_cast<std::uint8_t>(code);
 }
 
-/// Cuts a line at plane after plane; false if nothing is left. Each plane cuts at most one end, the
-/// outer one, whose code is then computed again.
+/// Cuts a line at plane after plane; false if nothing is left. Each plane cuts at most one end: the
+/// end outside of it, whose code is then computed again.
 /// Source:  Cohen and Sutherland, in Newman, Sproull: Principles of Interactive Computer Graphics.
 bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned code_a,
           unsigned code_b) {
@@ -46,7 +46,8 @@ bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned co
         const double t = at_a / (at_a - at_b);
         const homogeneous cut{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.d + t * (b.d - a.d),
                               a.w + t * (b.w - a.w)};
-        const unsigned done = ~((2u << i) - 1); // rounding may leave the cut on the outer side
+        // Planes done: rounding may leave the cut outside of one.
+        const unsigned done = ~((2u << i) - 1);
         if (code_a >> i & 1) {
             a = cut;
             code_a = outcode(planes, a) & done;

@@ -18,9 +18,9 @@
 /// Cost: keeps its memory: 40 bytes per vertex, 13 per triangle, 24 per line.
 class l3d_polygon_wires {
 public:
-    /// One line for each side of a face that is not culled. It is cut where it reaches behind the
-    /// near plane, beyond the far one, or out of the guard band. A side that two faces share comes
-    /// once: a smooth line drawn twice would look thicker.
+    /// Makes one line for each side of a face that is not culled. It is cut where it reaches behind
+    /// the near plane, beyond the far one, or out of the guard band. A side that two faces share
+    /// comes once, since a smooth line that is drawn twice looks thicker.
     /// Lives:   the lines until the next call.
     std::span<const l3d_detail::wire> make(const l3d_polygon_model& model,
                                            const l3d_polygon_view& view, bool cull);

@@ -34,7 +34,8 @@ std::vector<std::uint32_t> names_of_places(std::span<const l3d_polygon_model::ve
 
 } // namespace
 
-/// Finds neighbours by the vertices' own indices first, since most models have each place once.
+/// Finds the neighbours of a model. It compares the vertices' own indices first, since most models
+/// have each place once.
 void triangle_neighbours::make(const l3d_polygon_model& model) {
     if (model.triangles().data() == model_.triangles().data() &&
         across_.size() == model.triangles().size())

@@ -17,14 +17,13 @@ namespace l3d_detail {
 ///
 /// It compares vertices by their indices. If some side then has no neighbour, vertices at the same
 /// place count as one, even if their indices differ. A triangle with two corners that count as one
-/// has no area and gets no neighbours. The triangles on both sides of it become neighbours of each
-/// other.
+/// has no area and gets no neighbours: the triangles on both sides of it become neighbours.
 /// Cost: 12 bytes per triangle, and linear time when a model comes for the first time.
 class triangle_neighbours {
 public:
-    /// Stands for no neighbour: no other triangle has the side, or its corners go round the other
-    /// way. Where more than two triangles meet, the first two may be neighbours, and further ones
-    /// have none.
+    /// Stands for no neighbour. Either no other triangle has the side, or its corners go round the
+    /// other way. Where more than two triangles meet, the first two may be neighbours, and further
+    /// ones have none.
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
     /// Finds the neighbours of a model, unless it is that of the last call.
@@ -35,9 +34,9 @@ public:
         return across_[triangle][side];
     }
 
-    /// Whether the model consists of closed bodies whose fronts are outside: two triangles meet at
-    /// each side, their corners go round alike, and each body's volume is certainly positive. So
-    /// from outside, no face is seen from behind, unless a body goes through itself.
+    /// Whether the model consists of closed bodies whose fronts are outside. In these, two
+    /// triangles meet at each side, their corners go round alike, and the volume is certainly
+    /// positive. So from outside, no face is seen from behind, unless a body goes through itself.
     bool are_closed() const { return are_closed_; }
 
 private:

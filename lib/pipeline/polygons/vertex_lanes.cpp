@@ -40,7 +40,7 @@ HWY_INLINE number turned(const lane_row& row, const vector& v) {
     return row.x * v.x + row.y * v.y + row.z * v.z;
 }
 
-/// A quotient of pixels in steps of 1/256 pixel: l3d_snap, in lanes.
+/// Rounds a quotient of pixels to steps of 1/256 pixel: l3d_snap, in lanes.
 HWY_INLINE number in_subpixels(number x, number reciprocal) {
     return x * reciprocal * same(l3d_subpixel_one);
 }
@@ -134,7 +134,7 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
     std::copy_n(turned_normals.begin(), rest, to.normals.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-/// The place of a triangle's box against the window.
+/// The place of a triangle's box relative to the window.
 enum class box_place { outside, subpixel, seen, clipped };
 
 #if HWY_TARGET == HWY_SCALAR
@@ -180,8 +180,8 @@ public:
         window_ = hn::Load(quad_integers(), ends);
     }
 
-    /// The first two lanes are columns and rows. The third is inv_w, which is ordered like its
-    /// bits.
+    /// Compares a triangle's box with the window. The first two lanes are columns and rows. The
+    /// third is inv_w, which is ordered like its bits.
     HWY_INLINE box_place of(const std::int32_t* a, const std::int32_t* b,
                             const std::int32_t* c) const {
         const quad_integers d;

@@ -20,8 +20,8 @@ namespace l3d_detail {
 /// The vertices of a model in the picture, each once.
 ///
 /// Shape: a place is x, y (1/256 pixel), the bits of inv_w, and 0. inv_w is 0 where the vertex
-///        cannot be drawn. A normal is three numbers in world space and 0. So each fills a vector
-///        of 16 bytes, and four vectors are turned into arrays of their components.
+/// cannot be drawn. A normal is three numbers in world space and 0. So each place and each normal
+/// fills a vector of 16 bytes, and four vectors are turned into arrays of their components.
 struct placed_vertices {
     using place = std::array<std::int32_t, 4>;
     using normal = std::array<float, 4>;

@@ -13,15 +13,15 @@
 /// per 1/60 s. Units: updates a second.
 inline constexpr double l3d_book_rate = 60;
 
-/// A place with three axes of its own; each push is along one of them, and each turn about one.
+/// A place with three axes of its own. A push moves it along one of them, and a turn is about one.
 ///
 /// Motion is given per second, and damped: after a push the speed falls off exponentially. The
-/// distance flown in any time is the exact integral of that. So flights end in the same place at
-/// any frame rate. At l3d_book_rate they are the book's, except that the book turns by whole
+/// distance flown in any time is the exact integral of the speed. So flights end in the same place
+/// at any frame rate. At l3d_book_rate they are the book's, except that the book turns by whole
 /// degrees.
 /// Shape: left-handed: right x up = forward, up x forward = right, forward x right = up; the book
 ///        calls them VRI, VUP and VFW, and the place VRP.
-/// Units: world units, degrees, seconds; a turn is clockwise for someone at whom its axis points.
+/// Units: world units, degrees, seconds; a turn is clockwise for a person at whom its axis points.
 template <class T> class L3D_PUBLIC l3d_moveable {
 public:
     /// A place in the world.

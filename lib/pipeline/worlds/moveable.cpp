@@ -11,8 +11,8 @@ namespace {
 constexpr double kept_velocity = 0.95;
 constexpr double kept_spin = 0.85;
 
-/// A step is at most half an update of the book. The fastest flight is over after
-/// ln(5400 / 0.01) / -ln 0.95 = 257 updates, 4.3 s, so no more steps are taken than for 10.
+/// A step is at most half an update of the book. The fastest flight is over after ln(5400 / 0.01) /
+/// -ln 0.95 = 257 updates, which are 4.3 s. So a longer time takes no more steps than 10 s do.
 constexpr double steps_per_second = 2 * l3d_book_rate;
 constexpr double longest_flight = 10;
 
@@ -20,8 +20,8 @@ constexpr double twist_step = 5 * l3d_book_rate;
 constexpr double largest_velocity = 90 * l3d_book_rate;
 constexpr double largest_spin = 95 * l3d_book_rate;
 
-/// Slower motion counts as rest: the remaining way is below 0.01 / 60 * 19 = 0.0032 units, or 0.05
-/// / 60 * 5.7 = 0.0048 degrees.
+/// Slower motion counts as rest. The rest of the flight is below 0.01 / 60 * 19 = 0.0032 units, or
+/// 0.05 / 60 * 5.7 = 0.0048 degrees.
 constexpr double slowest_velocity = 0.01;
 constexpr double slowest_spin = 0.05;
 
@@ -34,9 +34,9 @@ void add_up_to(double& velocity, double step, double limit) {
         velocity += step;
 }
 
-/// The time in which an undamped body goes as far as a damped one does in `seconds`. Each update
-/// keeps k of the velocity, then moves. So n updates move it by v (k + k^2 + ... + k^n) = v k (1 -
-/// k^n) / (1 - k).
+/// The time in which an undamped body goes as far as a damped one goes in `seconds`. Each update
+/// keeps the part k of the velocity, then moves. So n updates move it by v (k + k^2 + ... + k^n) =
+/// v k (1 - k^n) / (1 - k).
 double effective_time(double kept, double seconds) {
     return kept * (1 - std::pow(kept, seconds * l3d_book_rate)) / (1 - kept) / l3d_book_rate;
 }
@@ -139,7 +139,8 @@ template <class T> bool l3d_moveable<T>::moves() const {
 }
 
 template <class T> void l3d_moveable<T>::fly(double seconds) {
-    // Turns by half, moves, and turns by the other half: the error of a step falls with its square.
+    // Turns by half of the angle, moves, and turns by the other half. So the error of a step falls
+    // with the step's square.
     const double half_turn = effective_time(kept_spin, seconds) / 2;
     const double way = effective_time(kept_velocity, seconds);
     spin_by(half_turn);

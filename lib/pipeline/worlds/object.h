@@ -19,7 +19,7 @@
 
 class l3d_object;
 
-/// The behaviour of an object from frame to frame that comes from outside its class: a plug-in.
+/// A plug-in: an object's behaviour from frame to frame that comes from outside the object's class.
 class L3D_PUBLIC l3d_object_behaviour {
 public:
     l3d_object_behaviour() = default;

@@ -33,8 +33,8 @@ public:
     l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
 
     /// Shows a world that `make` makes, now and whenever the user starts again. If the canvas is
-    /// not classic, a world that paints far polygons first is drawn by depth instead. It then has
-    /// smooth edges, on the dark ground of lessons.
+    /// not classic, a world of the order far_first is drawn by depth instead. It then has smooth
+    /// edges, on the dark ground of lessons.
     /// Errors: as l3d_pipeline_2d; exceptions of `make`.
     l3d_pipeline_world(l3d_canvas canvas, maker make);
 

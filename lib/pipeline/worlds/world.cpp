@@ -10,7 +10,7 @@
 #include <limits>
 #include <utility>
 
-/// Keeps removed objects alive during an update, also when an object throws.
+/// Keeps removed objects alive until an update ends, even if an object throws.
 class l3d_world::update_scope {
 public:
     explicit update_scope(l3d_world& world) : world_(world) { ++world_.updates_; }
@@ -42,13 +42,14 @@ bool l3d_world::remove(const l3d_object& object) {
         return false;
     if (updates_ > 0)
         return removed_.insert(&object).second;
-    const std::unique_ptr<l3d_object> leaving = std::move(*found); // it may remove more objects
+    // Its destructor may remove more objects.
+    const std::unique_ptr<l3d_object> leaving = std::move(*found);
     objects_.erase(found);
     return true;
 }
 
 void l3d_world::drop_removed() {
-    std::vector<std::unique_ptr<l3d_object>> leaving; // their ends may remove more
+    std::vector<std::unique_ptr<l3d_object>> leaving; // their destructors may remove more
     for (auto& object : objects_)
         if (removed_.contains(object.get()))
             leaving.push_back(std::move(object));
@@ -130,8 +131,8 @@ bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
            clip_sideways(1, -up);
 }
 
-/// Cuts the polygon where a coordinate times `scale` exceeds z. A negative scale is for the other
-/// side. Scales are small, so that fixed point does not overflow here either.
+/// Cuts the polygon where a coordinate times `scale` exceeds z. A negative scale serves the
+/// opposite side. Scales are small, so that fixed point does not overflow here either.
 bool l3d_facet_list::clip_sideways(int axis, real scale) {
     const real zero = l3d_from_double<real>(0);
     const auto side = [&](std::uint32_t i) { return points_[i][2] - points_[i][axis] * scale; };

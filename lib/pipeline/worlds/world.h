@@ -78,9 +78,9 @@ private:
 
 class l3d_world_surfaces;
 
-/// The target of a world's drawing: a picture, and the rasterizers for it.
+/// The picture that a world is drawn into, and the rasterizers for it.
 ///
-/// The picture may be a part of another one: `pixels` then has the part's first word and size, and
+/// The picture may be a part of another one. Then `pixels` has the part's first word and size, and
 /// the stride of the whole. So a second call of draw_all can draw a mirror, or a window onto
 /// another place.
 /// Expects: the rasterizer draws into the same pixels.
@@ -112,9 +112,9 @@ public:
     camera_type& camera;
     /// The order in which polygons are drawn.
     l3d_draw_order order = l3d_draw_order::by_depth;
-    /// The look of surfaces drawn by depth: style, shade, lights, material, background, fog,
-    /// anti-aliasing and culling count. Lights are given in the left-handed world. At first they
-    /// are as in the book: one grey for each face, hard edges, on black, by one thread.
+    /// The look of surfaces drawn by depth. Its headlight and its rotation have no effect. Lights
+    /// are given in the left-handed world. At first they are as in the book: one grey for each
+    /// face, hard edges, on black, by one thread.
     l3d_polygon_settings surfaces{
         .shade = l3d_shade::flat, .background = {}, .antialias = false, .threads = 1};
     /// Whether objects stand still, so that only the camera moves.

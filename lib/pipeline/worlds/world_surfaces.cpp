@@ -26,8 +26,8 @@ l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
     return result;
 }
 
-/// Whether a placement keeps lengths and angles. Products of rotations in floats are some 2^-23 off
-/// in each factor; shades show no error below 2^-16.
+/// Whether a placement keeps lengths and angles. Products of rotations in floats are off by some
+/// 2^-23 in each factor. Errors below 2^-16 do not show in shades.
 bool is_rigid(const l3d_matrix<double>& placement) {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k <= i; ++k) {
@@ -89,7 +89,7 @@ std::size_t l3d_world_surfaces::draw(std::span<const std::unique_ptr<l3d_object>
                                      const l3d_polygon_settings& settings,
                                      const l3d_world_target& target) {
     const l3d_size size = target.pixels.size();
-    // The book's pixels have their centres at whole numbers, ours at halves.
+    // The centres of pixels are at whole numbers in the book, and at halves here.
     const l3d_picture_fit fit{camera.fovx * size.width / (camera.fovy * size.height), 0.5};
     const l3d_camera ours = l3d_right_handed(camera);
     const l3d_camera::frame axes = ours.axes();

@@ -14,9 +14,9 @@
 #include <span>
 #include <vector>
 
-/// Draws all objects of a world into one picture, by the frames of polygon models.
+/// Draws all objects of a world into one picture, each by an l3d_polygon_frame.
 ///
-/// Objects whose ball is outside of the view are left out as a whole. An object that is scaled or
+/// An object whose ball is outside of the view is left out as a whole. An object that is scaled or
 /// sheared gets a model of its own with this shape, so that its normals are right.
 /// Cost:    linear in the triangles of objects that may be seen. One thread places a small object,
 ///          all threads together place a large one.

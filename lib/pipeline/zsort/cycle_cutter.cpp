@@ -59,14 +59,14 @@ cycle_cutter::fragment cycle_cutter::cut_side(const fragment& of, const fragment
         {of.piece.triangle, static_cast<std::uint32_t>(cuts_->size())}, of.plane, {}, 0, 0, 0, 0};
     cuts_->push_back({by.piece.triangle, in_front, of.piece.cut});
     keep_side(of.region, of.plane, by.plane, in_front, result.region);
-    if (result.region.empty()) // rounded away, though some pixel's centre may be there
+    if (result.region.empty()) // rounding may leave nothing, though a pixel's centre is there
         result.region = of.region;
     set_box(result);
     return result;
 }
 
-/// Cuts fragments that go through each other where they meet. Does nothing and returns false if
-/// there are too many such pairs: their cuts would make more pieces than division does.
+/// Cuts fragments that go through each other where they meet. If there are too many such pairs, it
+/// does nothing and returns false: their cuts would make more pieces than division does.
 bool cycle_cutter::cut_where_they_meet(fragments& set) {
     std::vector<std::vector<std::uint32_t>> cutters(set.size());
     std::size_t crossings = 0;
@@ -98,7 +98,8 @@ bool cycle_cutter::cut_where_they_meet(fragments& set) {
     return true;
 }
 
-/// Puts the strongly connected components of a set on the list of tasks, the foremost at its end.
+/// Puts the strongly connected components of a set on the list of tasks, with the foremost at its
+/// end.
 void cycle_cutter::arrange(fragments&& set) {
     std::vector<std::vector<order_node>> needs(set.size());
     std::vector<l3d_sort_item> nodes;
@@ -125,10 +126,11 @@ void cycle_cutter::arrange(fragments&& set) {
         });
 }
 
-/// Among some eight members, the one whose plane cuts fewest others and divides them most equally.
+/// Chooses a plane that divides a set. Among some eight members, it takes the one whose plane cuts
+/// fewest others and divides them most equally.
 std::size_t cycle_cutter::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
-    constexpr long price_of_cut = 4; // in members by which the halves differ
+    constexpr long price_of_cut = 4; // a cut costs as much as halves that differ by so many members
     std::size_t best = 0;
     long least = -1;
     const std::size_t step = std::max<std::size_t>(set.size() / tried, 1);

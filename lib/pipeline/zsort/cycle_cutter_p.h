@@ -23,8 +23,8 @@ namespace l3d_detail {
 /// since a piece is never divided by the same plane again.
 class cycle_cutter {
 public:
-    /// The largest knot, in members, that is not searched for hidden ones. For so small a knot,
-    /// clearing the bits of the picture would take longer than painting what is hidden.
+    /// Knots of at most so many members are not searched for hidden ones. Clearing the bits of the
+    /// picture would take longer than painting the hidden ones.
     static constexpr std::size_t few = 48;
 
     explicit cycle_cutter(std::size_t most_without_search = few)

@@ -44,7 +44,7 @@ void hidden_test::look(std::span<const painter_entry> members, const painter_pai
     }
 }
 
-/// Whether, in a tile, sorting alone tells what is in front.
+/// Whether the sort alone tells what is in front in a tile.
 bool hidden_test::is_sort_right(std::span<const painter_entry> members, const painter_pairs& pairs,
                                 found& of) {
     for (std::size_t i = 0; i < members.size(); ++i) {

@@ -26,9 +26,9 @@ public:
     /// Forgets what was found: each item needs an order again.
     void forget() { parts_.clear(); }
 
-    /// Tests the members of tiles, if the tiles know pixels. In each pixel it looks for the item
-    /// that is sorted last, and compares the others with it. If the sort is wrong in a tile, all of
-    /// its members need an order.
+    /// Tests the members of tiles, if the tiles know pixels. In each pixel it finds the item that
+    /// is sorted last, and compares the others with it. If the sort is wrong in a tile, all of its
+    /// members need an order.
     /// Expects: items have lesser numbers than `numbers`.
     /// Returns: the number of pairs compared.
     std::int64_t find(const painter_tiles& tiles, const painter_pairs& pairs, std::size_t numbers,

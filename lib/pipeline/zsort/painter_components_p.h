@@ -33,13 +33,14 @@ constexpr std::uint32_t number_of(order_node node) {
 /// Source: Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
 class ordered_components {
 public:
-    /// Calls emit(component) for each strongly connected component of nodes, after the components
-    /// that its nodes need. Where there is a choice, the component with the least node comes first.
+    /// Calls emit(component) for each strongly connected component of nodes. The components that
+    /// its nodes need come before it. Where there is a choice, the component with the least node
+    /// comes first.
     ///
     /// `is_free(node)` tells whether a node needs no greater node. `needed(node, in_turn, out)`
-    /// adds the nodes that a node needs before it to `out`. It may leave out emitted ones. If
-    /// `in_turn` is true, all lesser nodes are emitted. The nodes of a component are in rising
-    /// order.
+    /// adds to `out` the nodes that must come before a node. It may leave out nodes that were
+    /// emitted. If `in_turn` is true, all lesser nodes are emitted. The nodes of a component are in
+    /// rising order.
     /// Expects: nodes by rising keys, then numbers; numbers less than `numbers`.
     template <class Free, class Needed, class Emit>
     void walk(std::span<const l3d_sort_item> nodes, std::size_t numbers, const Free& is_free,

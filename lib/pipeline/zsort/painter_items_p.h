@@ -39,8 +39,8 @@ struct painter_item {
 ///        included.
 class painter_items {
 public:
-    /// The usual number of triangles in a chunk, which is one item of a worker's work and takes
-    /// some 10^5 cycles.
+    /// The usual number of triangles in a chunk. A worker takes a chunk at a time, for some 10^5
+    /// cycles.
     static constexpr std::size_t usual_chunk = 1024;
 
     /// Forgets all items, and takes new triangles, whose chunks end at `ends`. Small triangles that

@@ -19,7 +19,8 @@ namespace {
 
 using namespace l3d_detail;
 
-/// A need that the sort violates: an item must be painted after another one, which is sorted later.
+/// A need that the sort does not meet: an item must be painted after another one that is sorted
+/// later.
 struct late_need {
     order_node item, before;
 
@@ -32,8 +33,8 @@ struct row_of_needs {
     std::int64_t pairs = 0; ///< number of pairs compared
 };
 
-/// The members of a tile in sorted order, with the cells and depths that decide most often whether
-/// two of them are compared. Each worker has one, and writes to it at each member.
+/// The members of a tile in sorted order. Beside them stand the cells and depths that decide most
+/// often whether two members are compared. Each worker has one, and writes to it at each member.
 class alignas(128) sorted_members {
 public:
     void sort(std::span<const painter_entry> members) {
@@ -74,12 +75,13 @@ private:
 } // namespace
 
 struct l3d_painter_order::work_space {
-    /// How many items before its turn one is prefetched: sorted items lie anywhere in memory, which
-    /// takes some hundred cycles.
+    /// The number of items between the one in work and the one that is prefetched. Sorted items lie
+    /// anywhere in memory, and fetching one takes some hundred cycles.
     static constexpr std::size_t ahead = 16;
-    /// The number of pieces in one item of a worker's work: some 10^4 cycles at the least.
+    /// The number of pieces that a worker takes at once: some 10^4 cycles at the least.
     static constexpr std::size_t chunk_pieces = 4096;
-    /// Marks a piece that names an item in place of a triangle: more cuts than there can ever be.
+    /// Marks a piece that names an item in place of a triangle. It is the index of no cut, since
+    /// there can never be so many.
     static constexpr std::uint32_t of_item = l3d_painter_cut::last - 1;
 
     explicit work_space(l3d_workers& by)

@@ -13,20 +13,20 @@
 #include <memory>
 #include <span>
 
-/// Sorts triangles by their farthest corner, finds where that is wrong, and mends it.
+/// Sorts triangles by their farthest corner, finds where that order is wrong, and mends it.
 ///
 /// Only triangles that meet in the picture need an order. Each comes after those that it partly
 /// hides. Some sets have no order: triangles that go through each other, and cyclic overlaps. They
 /// are the strongly connected components of more than one member, and are cut by each other's
-/// planes until there is an order. The result is exact but for pixels where the two nearest depths
-/// differ by less than 2^-36 of the nearest corner's (painter_tie).
+/// planes until there is an order. The result is exact except where the two nearest depths of a
+/// pixel differ by less than 2^-36 of the nearest corner's (painter_tie).
 /// Cost:   sorting is linear. Comparing is linear in the number of triangles that lie over each
-///         other within a tile of the picture; for surfaces, in that of triangles. A set of n that
-///         all go through each other may become n^2 pieces if all of them are seen; what is hidden
-///         is left out. Keeps its memory.
+/// other within a tile of the picture; for surfaces, in the number of triangles. A set of n that
+/// all go through each other may become n^2 pieces if all of them are seen; hidden ones are left
+/// out. Keeps its memory.
 /// Source: comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
-///         1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
-///         structures (SIGGRAPH 1980).
+/// 1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
+/// structures (SIGGRAPH 1980).
 class l3d_painter_order {
 public:
     /// Lives: borrows the workers.
@@ -38,8 +38,8 @@ public:
     /// The kind of order.
     struct way {
         bool resolve = true; ///< false for the plain painter's algorithm: sorted, nothing compared
-        /// Whether sides of triangles are drawn. Else triangles that cover no pixel are left out,
-        /// and perhaps those that are behind others in all of their pixels.
+        /// Whether sides of triangles are drawn. If not, triangles that cover no pixel are left
+        /// out. Triangles that are behind others in all of their pixels may be left out, too.
         bool sides = true;
     };
 

@@ -126,8 +126,8 @@ void keep_side(std::span<const picture_point> region, const l3d_picture_plane& f
         out);
 }
 
-/// If the corners of one triangle are all on one side of the other's plane, that decides. Their
-/// common part is not needed then.
+/// Tests corners first: if those of one triangle are all on one side of the other's plane, that
+/// decides. Then the triangles' common part is not needed.
 front_parts front_of(const triangle& a, const triangle& b) {
     const double tie = tie_of(a, b);
     const l3d_picture_plane plane_a(a), plane_b(b);

@@ -29,13 +29,14 @@ struct front_parts {
     bool mixed() const { return first && second; }
 };
 
-/// Two depths count as equal if they differ by less than this part of a depth: of the farther one
-/// of the nearest corners of both triangles. It is 2^-12 of what a depth buffer of floats tells
+/// Depths that differ by less than this part of a depth count as equal. It is a part of the farther
+/// one of both triangles' nearest corners. It is 2^-12 of what a depth buffer of floats tells
 /// apart, and 2^17 times the rounding of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
-/// Whether the insides of two triangles meet, exactly. If not, they have no pixel in common: the
-/// fill rule takes a centre on an edge as if it lay a little to the right and below.
+/// Whether the insides of two triangles meet, exactly. If they do not, the triangles have no pixel
+/// in common. For the fill rule takes a centre on an edge as if it lay a little to the right and
+/// below.
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 

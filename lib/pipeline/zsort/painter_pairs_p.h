@@ -19,7 +19,7 @@ class painter_pairs {
 public:
     explicit painter_pairs(const painter_items& items) : items_(items) {}
 
-    /// Whether `item` must be painted after `other`, which it may meet: it is in front of `other`
+    /// Whether `item` must be painted after `other`: they meet, and `item` is in front of `other`
     /// somewhere. Exact entries with a cell in common are known to meet.
     bool needs(const painter_entry& item, const painter_entry& other) const {
         return ((item.is_exact && other.is_exact) || do_meet(item.number, other.number)) &&

@@ -117,8 +117,8 @@ private:
     static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
 
     /// The entries that a worker finds for its share of the items, in the items' order, and their
-    /// tiles. The worker writes here often. So two shares lie neither in one cache line nor in a
-    /// pair of lines, since some processors fetch both lines of a pair.
+    /// tiles. The worker writes here often. So no two shares lie in one cache line, nor in one pair
+    /// of lines, since some processors fetch both lines of a pair.
     struct alignas(128) share_entries {
         std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
         std::size_t count = 0;                      ///< number of entries
@@ -135,8 +135,8 @@ private:
         constexpr int side = 1 << cell_bits, cells = side * side;
         const int right = item.left % side, down = item.top % side;
         const std::uint64_t stay = ((0xffU << right) & 0xffU) * first_column;
-        // The pixels, moved to the right. Those that leave the tile enter the next one at its left
-        // side.
+        // The pixels are moved to the right. Those that leave the tile enter the next one at its
+        // left side.
         const std::uint64_t here = item.cover << right & stay;
         const std::uint64_t next = right == 0 ? 0 : item.cover >> (side - right) & ~stay;
         const std::size_t tile = at(item.left >> cell_bits, item.top >> cell_bits);

@@ -60,8 +60,9 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
     report.time_ms.raster = painting.milliseconds();
 }
 
-/// The order and its cuts tell which triangle is in front at the centres of pixels. Depth tells how
-/// far it is, and which one is in front elsewhere in a pixel. Returns how many pixels are at edges.
+/// Fills the depth buffer by the painted triangles, and finds pixels at edges. At the centres of
+/// pixels, the order and its cuts tell which triangle is in front. Elsewhere in a pixel depth tells
+/// it, and depth alone tells how far a triangle is. Returns how many pixels are at edges.
 std::int64_t l3d_pipeline_zsort::look_at_depth(const scene& what) {
     l3d_surface_rasterizer_sw& depths = stages_->depths;
     depths.count_pixels(false);

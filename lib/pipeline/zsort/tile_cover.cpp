@@ -27,7 +27,7 @@ constexpr auto at_once = static_cast<std::int32_t>(lanes);
 struct edge_function {
     std::int32_t first; ///< value at the first pixel of the first tile
     std::int32_t per_column, per_row;
-    int_vec pattern; ///< values of a vector's pixels, less its first one's
+    int_vec pattern; ///< values of a vector's pixels, relative to its first one
 
     HWY_INLINE void go_from(const l3d_micro_vertex& a, const l3d_micro_vertex& b, std::int32_t x,
                             std::int32_t y) {

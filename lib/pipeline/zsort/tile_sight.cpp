@@ -36,7 +36,8 @@ public:
         for (std::size_t i = 0; i < members.size(); ++i) {
             const int_vec own = order_of(members[i].farthest);
             for (std::size_t v = 0; v < vectors; ++v) {
-                // Among equally far members, the one of the greater number is painted later.
+                // Among members that are equally far, the one of the greater number is painted
+                // later.
                 const int_mask last =
                     hn::AndNot(hn::Lt(own, farthest_[v]), lanes_of(members[i].cells >> lanes * v));
                 farthest_[v] = hn::IfThenElse(last, own, farthest_[v]);
@@ -68,7 +69,7 @@ public:
         return std::bit_cast<float>(hn::GetLane(hn::MinOfLanes(ints(), least)));
     }
 
-    /// The cells whose last painted member does not lie wholly in front of the depth `nearest`.
+    /// The cells whose last painted member is not wholly in front of the depth `nearest`.
     HWY_INLINE std::uint64_t not_before(float nearest) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)
@@ -85,7 +86,7 @@ private:
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of) {
     const front_cells cells(members);
     cells.store(fronts);
-    // Finding the cells of one member takes as long as reading some cells.
+    // To find the cells of one member takes as long as to read some cells.
     constexpr std::size_t few = std::tuple_size_v<tile_fronts> / 4;
     if (members.size() <= few) {
         for (std::size_t i = 0; i < members.size(); ++i)

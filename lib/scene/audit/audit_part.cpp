@@ -30,8 +30,8 @@ vector any_across(const vector& unit) {
     return l3d_normalized(axis - unit * l3d_dot(axis, unit));
 }
 
-/// A bound of a polynomial with these Bezier coefficients between two parameters: the largest of
-/// its coefficients there, which are blossoms.
+/// A bound of a polynomial between two parameters: the largest of its Bezier coefficients for that
+/// interval. They are blossoms of the given coefficients.
 template <std::size_t count>
 double most_between(const std::array<double, count>& of, double from, double to) {
     double result = 0;
@@ -70,7 +70,8 @@ flat_triangle::flat_triangle(const std::array<vector, 3>& corners) : corners_(co
     x_ = l3d_dot(third, along_);
     const vector height = third - along_ * x_;
     y_ = l3d_length(height);
-    // A height below the rounding of the side's length counts as none, and has no direction.
+    // A height below the rounding of the side's length counts as 0, since it has no certain
+    // direction.
     const bool is_flat = y_ <= 0x1p-50 * length_;
     if (is_flat)
         y_ = 0;
@@ -136,8 +137,8 @@ bent_patch::bent_patch(const patch& p) : of(p) {
         }
 }
 
-/// Bernstein polynomials of v, whose sum is 1, mix the rows. So they mix the bounds of the rows'
-/// lengths, too.
+/// Mixes the bounds of the rows' lengths: Bernstein polynomials of v, whose sum is 1, mix the rows
+/// themselves.
 std::array<double, 3> bent_patch::bounds(const patch_place& least, const patch_place& most) const {
     return {most_between(uu_, least[1], most[1]),
             std::min(most_between(uv_by_v_, least[1], most[1]),
@@ -145,9 +146,9 @@ std::array<double, 3> bent_patch::bounds(const patch_place& least, const patch_p
             most_between(vv_, least[0], most[0])};
 }
 
-/// Let e be the side from one corner to another in (u, v), l the weights of the corners. The flat
-/// triangle is off by at most half the sum of l_i l_j times |second derivative along e|, over all
-/// three sides. NUMERICS, "The distance between a mesh and a surface", derives it.
+/// Let e be a side of the triangle as a step in (u, v), and let l be the weights of the corners.
+/// The flat triangle is off by at most half the sum of l_i l_j times |second derivative along e|,
+/// over all three sides. NUMERICS, "The distance between a mesh and a surface", derives it.
 std::array<double, 3> audit_part::weights() const {
     std::array<double, 2> widths{};
     std::array<place, 3> sides{};
@@ -159,7 +160,7 @@ std::array<double, 3> audit_part::weights() const {
     const auto [u0, u1] = std::minmax({at[0][0], at[1][0], at[2][0]});
     const auto [v0, v1] = std::minmax({at[0][1], at[1][1], at[2][1]});
     const auto [uu, uv, vv] = sheet->patch->bounds({u0, v0}, {u1, v1});
-    // |2 du dv| <= t du^2 + dv^2 / t for any t; this one makes both terms alike.
+    // For any t, |2 du dv| <= t du^2 + dv^2 / t. This t makes both terms alike.
     const bool has_both = widths[0] > 0 && widths[1] > 0;
     const double by_u = uu + (has_both ? uv * widths[1] / widths[0] : 0);
     const double by_v = vv + (has_both ? uv * widths[0] / widths[1] : 0);
@@ -237,7 +238,7 @@ patch_place bent_patch::place_near(const vector& to, patch_place begin) const {
             break;
         const double by_u = l3d_dot(off, u), by_v = l3d_dot(off, v);
         const double du = (c * by_u - b * by_v) / area, dv = (a * by_v - b * by_u) / area;
-        // No place farther beyond the patch than its own size can be near.
+        // A place that is farther beyond the patch than the patch is wide cannot be near.
         begin = {std::clamp(begin[0] + du, -1.0, 2.0), std::clamp(begin[1] + dv, -1.0, 2.0)};
         if (std::max(std::abs(du), std::abs(dv)) < small)
             break;

@@ -12,7 +12,8 @@
 
 namespace l3d_detail {
 
-/// A triangle in space, with coordinates of its own plane. It may have no area, or be a point.
+/// A triangle in space that finds its distance from places. It keeps its corners in coordinates of
+/// its own plane. It may have no area, or be a point.
 class flat_triangle {
 public:
     using vector = l3d_vector<double, 3>;
@@ -59,8 +60,9 @@ private:
     std::array<double, 3> uv_by_v_{}, uv_by_u_{};
 };
 
-/// A part of a patch that is searched at once. It is a rectangle that trims leave whole, or the
-/// rest of a trimmed patch near its border. The rest has no rectangle of its own.
+/// A part of a patch whose triangles are searched together. It is a rectangle of parameters that
+/// trims leave whole, or the rest of a trimmed patch near its border. The rest has no rectangle of
+/// its own.
 struct patch_sheet {
     const bent_patch* patch;
     std::uint32_t index; ///< the number of the patch
@@ -68,10 +70,11 @@ struct patch_sheet {
     patch_place least{0, 0}, most{1, 1}; ///< corners of the rectangle
 };
 
-/// A triangle of a mesh; or the part of a patch over a triangle of parameters.
+/// A triangle of a mesh, or the part of a patch over a triangle of parameters.
 ///
-/// Each place (u, v) is within `off` of the place with the same weights in the flat triangle, so
-/// part and triangle are within `off` of each other. For a triangle of a mesh, off is 0.
+/// Each place (u, v) of a part is within `off` of the place of the flat triangle that has the same
+/// weights. So part and triangle are within `off` of each other. For a triangle of a mesh, off is
+/// 0.
 struct audit_part {
     using vector = l3d_vector<double, 3>;
     using place = patch_place;

@@ -14,15 +14,15 @@
 
 namespace l3d_detail {
 
-/// The distance from a triangle to the farthest of some places. It is at least that of any place of
-/// their hull.
+/// The distance from a triangle to the farthest of some places. No place of their hull is farther
+/// from it.
 double farthest(const flat_triangle& flat, std::span<const audit_part::vector> places);
 
 /// An upright box.
 struct audit_box {
     using vector = audit_part::vector;
 
-    /// Holds the part, and its flat triangle.
+    /// The box that holds the part and its flat triangle.
     static audit_box of(const audit_part& part);
     audit_box grown(double by) const;
     bool meets(const audit_box& other) const;
@@ -33,7 +33,8 @@ struct audit_box {
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
 };
 
-/// A tree of boxes with parts. A search may halve parts of patches, for itself alone.
+/// A tree of boxes that finds the parts near a place. A search halves parts of patches in memory of
+/// its own; the tree stays as it is.
 class part_tree {
 public:
     using vector = audit_part::vector;
@@ -74,8 +75,8 @@ public:
     /// Finds the part with the least distance to the farthest of some places.
     found nearest(std::span<const vector> places, const wanted& until, memory& use) const;
 
-    /// Adds the parts whose boxes are at most `distance` from the box of another part. Returns
-    /// false if there are more than `most`.
+    /// Adds to `to` the indices of the parts whose boxes are at most `distance` from the box of
+    /// another part. Returns false if there are more than `most`.
     bool find_near(const audit_part& other, double distance, std::size_t most,
                    std::vector<std::uint32_t>& to) const;
 

@@ -31,26 +31,28 @@ using vector = l3d_surface_audit::vector;
 /// last place.
 constexpr double rounding = 0x1p-45;
 
-/// Where a triangle is cut in two.
+/// The place where a triangle is cut in two: on a side, at a share of its length.
 struct cut_place {
     std::size_t side;
     double share;
 };
 
-/// Chooses where to cut a part: where the surface that it is compared with ends, since neither side
-/// needs another cut there then. The place that cuts off most of a side is taken. Where all cut off
-/// little, or there is none, the longest side is halved, lest parts become slivers.
+/// Chooses where to cut a part. The best place is where the surface that it is compared with ends,
+/// since neither half needs another cut there. If there are several, the place that cuts off most
+/// of a side is taken. If all cut off little, or there is none, the longest side is halved, lest
+/// parts become slivers.
 class cut_choice {
 public:
     explicit cut_choice(const audit_part& part)
         : corners_(part.flat.corners()), best_{part.longest_side(), 0.5},
           most_(least_share * length(best_.side)) {}
 
-    /// Values at both ends of a side have different signs where something ends.
+    /// Offers a place of a side, between values at its two ends. Where the signs of these differ,
+    /// something ends between them.
     void offer(std::size_t side, double a, double b) {
         const double share = a / (a - b);
         const double off = std::min(share, 1 - share) * length(side);
-        if (off > most_) { // not if share is NaN
+        if (off > most_) { // false if share is NaN
             best_ = {side, share};
             most_ = off;
         }
@@ -76,7 +78,7 @@ public:
     largest_distance(const part_tree& to, double slack) : to_(to), slack_(slack) {}
 
     l3d_audited_way from(std::span<const audit_part> parts) {
-        // With some good samples at first, most searches for parts and places end early.
+        // Some good samples come first. They let most searches for parts and places end early.
         constexpr std::size_t first_samples = 16;
         for (std::size_t i = 0; i < parts.size(); i += first_samples)
             sample(parts[i].middle(), parts[i]);
@@ -96,7 +98,7 @@ public:
             const open_part next = std::move(open_.back());
             open_.pop_back();
             const auto halves = next.part.cut(next.at.side, next.at.share);
-            if (next.part.size() < large * enough()) // the corner that the cut has made
+            if (next.part.size() < large * enough()) // samples the corner that the cut has made
                 sample(halves[0].flat.corners()[1], next.part);
             for (const audit_part& half : halves)
                 judge(half, next.most);
@@ -108,7 +110,7 @@ public:
     }
 
 private:
-    /// A part that may be the worst.
+    /// A part that may hold the largest distance.
     struct open_part {
         audit_part part;
         double most;
@@ -118,7 +120,8 @@ private:
 
     double enough() const { return result_.least + slack_; }
 
-    /// Measures at a place of a part. Returns what is near it.
+    /// Measures the distance at a place of a part, and remembers it if it is the largest so far.
+    /// Returns the nearest part of the tree.
     part_tree::found sample(const vector& place, const audit_part& of) {
         constexpr double share = 0.125; // a small part of the slack, so that most is left to parts
         auto found = to_.nearest(std::span(&place, 1),
@@ -134,7 +137,7 @@ private:
         return found;
     }
 
-    /// Settles a part, or keeps it to be cut.
+    /// Settles a part if it is certainly near enough. Else it is kept to be cut.
     void judge(const audit_part& part, double most) {
         const auto& corners = part.flat.corners();
         cut_choice at(part);
@@ -146,7 +149,7 @@ private:
                 settled_ = std::max(settled_, here);
                 return;
             }
-            // Where Newton's method fails, as at a pole, a search may find a part.
+            // Where Newton's method fails, as at a pole, a search in the tree may find a part.
             const double wanted = enough() - part.off;
             const auto by_search = to_.nearest(
                 corners,
@@ -171,8 +174,8 @@ private:
         std::ranges::push_heap(open_, is_nearer);
     }
 
-    /// Whether every place of `part` is within enough() of one of near_[first] and those after it;
-    /// halves `part` up to `cuts` times to find out. `most` grows to the largest bound that was
+    /// Whether every place of `part` is within enough() of one of the parts near_[first] and after.
+    /// It halves `part` up to `cuts` times to find out. `most` grows to the largest bound that was
     /// found.
     bool is_settled(const audit_part& part, std::size_t first, int cuts, double& most) {
         const std::size_t end = near_.size();
@@ -196,7 +199,7 @@ private:
         return result;
     }
 
-    /// The same, if the nearest one is known.
+    /// The same, once the nearest of these parts is known.
     bool is_settled_by(const audit_part& nearest, const audit_part& part, std::size_t first,
                        int cuts, double& most) {
         cut_choice at(part);
@@ -227,7 +230,8 @@ private:
         return l3d_length(sheet.patch->of.evaluate(p[0], p[1]) - from);
     }
 
-    /// The nearest of 4 by 4 places of a sheet, none of which is on its border.
+    /// The place of a sheet that is nearest to `to`, among 4 by 4. None of them is on the sheet's
+    /// border.
     static patch_place best_of_grid(const patch_sheet& sheet, const vector& to) {
         constexpr int count = 4;
         patch_place best{};
@@ -244,8 +248,9 @@ private:
         return best;
     }
 
-    /// A bound of the distance from a triangle to the part of a sheet with the places that are near
-    /// its corners. Offers cuts where the sheet ends.
+    /// A bound of the distance from a triangle to a sheet. It compares the triangle with the part
+    /// of the sheet whose corners are nearest to the triangle's. It also offers cuts where the
+    /// sheet ends.
     double matched_part(const audit_part& part, const patch_sheet& sheet, cut_choice& at) {
         if (last_sheet_ != &sheet) {
             last_sheet_ = &sheet;
@@ -261,8 +266,8 @@ private:
                     inside[k][i] = std::clamp(places[k][i], sheet.least[i], sheet.most[i]);
             };
             find(last_place_);
-            // Beside a pole, the search fails from most places, but hardly from one farther from
-            // the pole.
+            // Beside a pole, Newton's method fails from most places, but seldom from a place
+            // farther away.
             if (distance_at(sheet, inside[k], corners[k]) > enough())
                 find(best_of_grid(sheet, corners[k]));
         }
@@ -290,13 +295,14 @@ private:
         }
     }
 
-    /// `cuts_at_once` cuts are made before samples are taken and a part is kept. They are tested
-    /// against at most `most_near` parts. Where more are near, a part of `large` times the distance
-    /// is cut at once.
+    /// Limits of the tests before a part is sampled and kept. A part is cut `cuts_at_once` times,
+    /// and compared with at most `most_near` parts. If more are near, a part larger than `large`
+    /// times the distance is cut at once.
     static constexpr int cuts_at_once = 16;
     static constexpr std::size_t most_near = 256;
     static constexpr double large = 8;
-    /// Where many parts are hardly too far, a search for one that is near enough ends here.
+    /// The steps after which a search for a part that is near enough gives up. Many parts may be
+    /// just a little too far.
     static constexpr std::size_t steps_for_parts = 1024;
 
     const part_tree& to_;

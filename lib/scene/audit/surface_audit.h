@@ -12,7 +12,8 @@
 #include <memory>
 #include <span>
 
-/// Proven bounds of the largest distance, and the place where it occurs.
+/// The largest distance in one direction, from a mesh to a surface or back: proven bounds, and a
+/// place that is at least so far away.
 struct L3D_PUBLIC l3d_audited_way {
     double least = 0; ///< the distance at `place` is at least this
     double most = 0;  ///< the distance is nowhere larger than this
@@ -35,7 +36,7 @@ struct L3D_PUBLIC l3d_mesh_audit {
 
 /// Measures distances to the trimmed pieces of a model, from below and from above.
 ///
-/// Distances have no sign: neither orientation nor closedness of mesh and surface count.
+/// Distances have no sign. So mesh and surface may be open, and may turn either side outwards.
 /// Lives: as long as it is needed; it shares the model's contents.
 /// Units: all lengths are in the model's unit.
 class L3D_PUBLIC l3d_surface_audit {
@@ -45,7 +46,8 @@ public:
     /// The corners of a triangle.
     using triangle = std::array<vector, 3>;
 
-    /// The width of bounds that programs ask for, as a share of the diagonal of the model's box.
+    /// The width of bounds that programs usually ask for, as a share of the diagonal of the model's
+    /// box.
     static constexpr double usual_tolerance = 1e-4;
 
     /// Prepares a model. `tolerance` is the width that bounds should have.
@@ -70,8 +72,8 @@ public:
     /// Source:  branch and bound; NUMERICS derives the bounds.
     l3d_mesh_audit compare(std::span<const triangle> mesh) const;
 
-    /// The number of cuts of triangles that are allowed each way. As many as the triangles and
-    /// cells on both sides are allowed, if those are more.
+    /// The number of cuts of triangles that each direction may always use. If the triangles and
+    /// cells of both sides together are more, it may use as many cuts as they are.
     static constexpr std::size_t least_cuts = std::size_t{1} << 13;
 
 private:

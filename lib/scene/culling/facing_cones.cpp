@@ -13,8 +13,8 @@ namespace {
 
 using vector = l3d_facing_cones::vector;
 
-/// Coefficients below this may be nothing but rounding (l3d_normal_columns): they have no
-/// direction.
+/// Coefficients below this have no direction, since they may be nothing but rounding
+/// (l3d_normal_columns).
 constexpr double no_direction = 0x1p-40;
 
 /// Margin for the rounding of some thirty operations on doubles, relative to the distances in them.
@@ -76,12 +76,12 @@ void l3d_facing_cones::set(std::size_t block, const ball_and_cone& of) {
     sine_[block] = of.sine;
 }
 
-/// Every S of the ball is at most distance + radius away, and (S - from) . axis is at least that of
-/// the centre less the radius. A vector is within a right angle of the whole cone if its cosine
-/// with the axis exceeds the cone's sine.
+/// Tests the cone and the ball. Every S of the ball is at most distance + radius away, and (S -
+/// from) . axis is at least that of the centre less the radius. A vector is within a right angle of
+/// the whole cone if its cosine with the axis exceeds the cone's sine.
 unsigned l3d_facing_cones::away_from(const vector& from, double side) const {
     const double reach = slack * (std::abs(from[0]) + std::abs(from[1]) + std::abs(from[2]));
-    // Squares test the whole patch: a root would be half of the work.
+    // The test of the whole patch compares squares, since a root would be half of the work.
     const vector way = whole_.centre - from;
     const double along_whole = side * l3d_dot(way, whole_.axis), sine = whole_.sine + slack;
     const double clear = std::abs(along_whole) - whole_.radius * (1 + sine) - reach;

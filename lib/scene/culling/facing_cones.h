@@ -24,9 +24,9 @@ public:
 
     l3d_facing_cones(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
-    /// A bit for each block all of whose normals point away from the point `from`: for
-    /// every point S and every normal n of the block, (S - from) . n > 0. With `side` = -1, the
-    /// normals point towards it.
+    /// Finds the blocks whose normals all point away from the point `from`, as bits. For every
+    /// point S and every normal n of such a block, (S - from) . n > 0. With `side` = -1, it finds
+    /// those whose normals point towards it.
     /// Expects: side is 1 or -1.
     /// Cost:    some 20 operations, and 25 with a root for each block unless all of the patch turns
     ///          one side to the point.

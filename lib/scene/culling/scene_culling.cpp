@@ -29,7 +29,7 @@ l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
     return {boxes.left[i], boxes.top[i], boxes.right[i], boxes.bottom[i]};
 }
 
-/// The counter of the reason for which box i is left out; null if it may be seen.
+/// Finds the count that box i adds to, by the reason why it is left out; null if it may be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
                                   const l3d_dice_view& view, l3d_dice_counts& counts) {
     return l3d_reason_to_leave_out(
@@ -49,14 +49,14 @@ bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel
 /// Bound of the error of a balanced vertex's w, for a net with w from `least` to `most`.
 ///
 /// The vertex errs by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter and has two steps. f''
-/// <= 6 * 2 (most - least). Along u and along v, that is 0.0322 (most - least). Their common effect
-/// is below 0.001 of it.
+/// <= 6 * 2 (most - least). Errors along u and along v add up to 0.0322 (most - least). Their
+/// common effect is below 0.001 of it.
 double balance_of_w(double least, double most) {
     return (most - least) / 30;
 }
 
-/// Upper bound of the depth at w >= `least`, given an error of w of `error` and 2^-12 of itself;
-/// rounding included.
+/// Upper bound of the depth at w >= `least`, rounding included. w may be too large by `error`, and
+/// by 2^-12 of itself.
 float inv_w_above(double least, double error, const l3d_dice_view& view) {
     if (view.is_parallel())
         return view.depth_at(least - error) * (1 + 0x1p-12F);
@@ -94,7 +94,8 @@ l3d_scene_culling::ticket l3d_scene_culling::ticket_of(const extent& where, std:
     return ticket{std::bit_cast<std::uint32_t>(where.nearest_w)} << 32 | at;
 }
 
-/// The nearest w of box i for sorting, and the box and depth by which it may be hidden.
+/// Gives box i a w to sort it by. Also gives the box in the picture, and the depth, with which the
+/// caller decides whether it is hidden.
 l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes,
                                                        std::size_t i) const {
     // In a parallel projection all w are nearly alike, so a float holds the difference from a base.
@@ -116,11 +117,11 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
     return where;
 }
 
-/// Calls see(box, extent) for each box that may be seen, leave_out(box, count of the reason) for
-/// the others. If a part of the picture is drawn, all others count as unchanged.
+/// Calls see(box, extent) for each box that may be seen, and leave_out(box, count of the reason)
+/// for the others. If only a part of the picture is drawn, the others all count as unchanged.
 ///
-/// A box that is `followed` has edges along which strips go on beside its neighbours, so it is left
-/// out for its place alone.
+/// A `followed` box has edges along which strips go on beside its neighbours. So its place in the
+/// picture is the only reason to leave it out.
 template <class Followed, class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                                 const l3d_detail::placing_terms& terms, Followed followed, See see,
@@ -239,7 +240,7 @@ std::span<const l3d_placed_patch> l3d_scene_culling::next_batch(hidden_call hidd
     batch_size_ = std::clamp(2 * batch_size_, first_batch, largest_batch);
     batch_.clear();
     while (left_ > 0 && batch_.size() < batch_size_) {
-        // A rest no larger than this batch goes with it.
+        // If at most two batches of this size are left, this batch takes all.
         const std::size_t wanted = left_ <= static_cast<std::int64_t>(2 * batch_size_)
                                        ? 2 * batch_size_
                                        : batch_size_ - batch_.size();

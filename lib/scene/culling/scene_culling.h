@@ -26,7 +26,7 @@ struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
     std::uint32_t matrix = 0;   ///< its index for l3d_scene_culling::matrix
-    /// The least w of its box, but not less than near, in the view's units. In a parallel
+    /// The least w of its box, in the view's units; near, if that is larger. In a parallel
     /// projection it is counted from a w below which nothing lies.
     float nearest_w = 0;
     std::int32_t middle = 0; ///< row of its box's middle; 0 if that is not known
@@ -57,10 +57,10 @@ public:
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view, const l3d_pixel_box& part);
 
-    /// The next batch, its nearest patch first; empty if there are no more.
+    /// Hands out the next batch, its nearest patch first; empty if there are no more.
     ///
-    /// A batch takes the nearest patches of the open instances. So some may be farther than some of
-    /// the next batch, by the depth of their instance at most. Batches grow, since near patches
+    /// A batch takes the nearest patches of the open instances. So a patch may be farther than some
+    /// of the next batch, by the depth of its instance at most. Batches grow, since near patches
     /// hide most and each batch has its price.
     ///
     /// `hidden(box, inv_w)` tells whether a thing in a box and no nearer than inv_w (1 / distance
@@ -104,8 +104,9 @@ private:
         extent where;
         std::uint32_t instance, patch, matrix;
     };
-    /// An entry of the queue: a place in instances_ or patches_, and above it the bits of
-    /// nearest_w. Floats from 0 up are in the order of their bits.
+    /// An entry of the queue, which an integer sort puts in order. The upper bits are those of
+    /// nearest_w, since floats from 0 up are in the order of their bits. The lower ones are an
+    /// index in instances_ or patches_.
     using ticket = std::uint64_t;
 
     static ticket ticket_of(const extent& where, std::size_t at);

@@ -26,7 +26,7 @@ struct coordinate {
     std::array<row, 3> axes;
 };
 
-/// Sums in a row of their own: the compiler then knows that no other data overlaps it.
+/// Computes sums in a row of their own. So the compiler knows that no other data overlaps it.
 row sums(const l3d_vector<double, 4>& m, const double* x, const double* y, const double* z,
          double more) {
     row result;
@@ -44,7 +44,7 @@ coordinate placed(const l3d_box_lanes& boxes, std::size_t first, const l3d_vecto
             {axis(0), axis(1), axis(2)}};
 }
 
-/// Lowers `inside` to the boxes' reach into a half-space: the largest sign (x - at w).
+/// Lowers `inside` to how far the boxes reach into a half-space: the largest sign (x - at w).
 void keep_inside(const coordinate& x, const coordinate& w, double at, double sign, const row& share,
                  const l3d_dice_view& view, row& inside) {
     const double error = view.error_xy + std::abs(at) * view.error_w;

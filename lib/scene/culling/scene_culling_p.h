@@ -12,8 +12,9 @@
 
 namespace l3d_detail {
 
-/// Gives the sum of magnitudes that bounds rounding errors (l3d_patch_instance::reach), for boxes:
-/// l3d_slanted_box::reach, plus `columns` times the largest coordinates of each box, plus `shift`.
+/// Terms of the sum of magnitudes that bounds rounding errors (l3d_patch_instance::reach). The sum
+/// for a box is its l3d_slanted_box::reach, plus `columns` times the largest coordinates in the
+/// box, plus `shift`.
 struct placing_terms {
     l3d_vector<double, 3> columns{0.0, 0.0, 0.0};
     double shift = 0;
@@ -43,7 +44,7 @@ struct box_placing {
     const l3d_image_box& margin; ///< l3d_dice_view::margin of the part of the picture that matters
 };
 
-/// Places boxes [first, first + lanes); results from boxes.count() on mean nothing.
+/// Places the boxes from `first` to first + lanes - 1. Results beyond the last box have no meaning.
 ///
 /// Expects: first is a multiple of l3d_box_lanes::lanes.
 /// Cost:    some 190 operations a box, three of them divisions.
@@ -51,8 +52,8 @@ void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const box_placing
                 culled_boxes& result);
 
 /// The box in the picture that holds all drawn points of box i. The box in the scene holds the
-/// exact surface, whatever the transform's error. A drawn vertex leaves the surface by its balance,
-/// by snapping, and by walking, at most l3d_dice_view::walk_allowance.
+/// exact surface, whatever the transform's error. Drawn vertices leave the surface since they are
+/// balanced and snapped, and since walking errs by at most l3d_dice_view::walk_allowance.
 /// Units:   pixels from the picture's centre.
 /// Expects: boxes.least[i] is greater than boxes.near[i], and the box not wholly outside.
 l3d_image_box drawn_box_of(const culled_boxes& boxes, std::size_t i, const l3d_dice_view& view);

@@ -18,7 +18,8 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// Eight levels of Lambert's grey, as in l3d_patch_neighbours: two degrees.
+/// The angle from which a side is a crease: eight levels of Lambert's grey, as in
+/// l3d_patch_neighbours, which are two degrees.
 constexpr double least_angle = 8 / 229.5;
 
 /// A side of a piece, or a part of it: v = 0, u = 1, v = 1, u = 0, in the order in which one walks
@@ -90,8 +91,8 @@ bernstein_net curve_along(const bernstein_net& net, std::size_t number) {
     return result;
 }
 
-/// The surface's curve along the straight line between two places of parameters. With the part of
-/// the net between them, it is the diagonal, as B_i(t) B_j(t) is a multiple of B_(i+j)(t).
+/// The surface's curve above a straight line between two places of parameters. It is the diagonal
+/// of the net's part between them, since B_i(t) B_j(t) is a multiple of B_(i+j)(t).
 bernstein_net curve_between(const bernstein_net& net, const l3d_trim_place& a,
                             const l3d_trim_place& b) {
     const bernstein_net part = net.part(a[0], b[0], a[1], b[1]);
@@ -115,7 +116,7 @@ void for_sides_on(const l3d_trim_region& region, std::size_t along, double at, c
         }
 }
 
-/// Whether a piece extends to one of its sides, not only along edges of the model.
+/// Whether a piece reaches one of its sides with more than edges of the model.
 bool reaches(const image_piece& piece, const side& one) {
     bool result = !piece.is_trimmed;
     if (piece.is_trimmed)
@@ -126,7 +127,7 @@ bool reaches(const image_piece& piece, const side& one) {
     return result;
 }
 
-/// Sides at the same places, and whether each runs as the first one does.
+/// Sides at the same places. Each tells whether it runs in the direction of the first.
 struct met_sides {
     std::vector<side> sides;
     std::vector<bool> forward;
@@ -154,7 +155,7 @@ private:
     void add_contours(const side& a, const side& b, bool turns);
     bool is_smooth(const side& a, const side& b, bool turns) const;
     void add_trims(std::size_t piece);
-    /// Adds a stretch of a side.
+    /// Adds a stretch of a side as a line.
     void add(const side& of, double from, double to, l3d_line_kind kind,
              const std::vector<std::size_t>& sides);
 
@@ -165,8 +166,8 @@ private:
     std::vector<drawn_chain> chains_;
 };
 
-/// Two sides are the same if five of their places are, to a thousandth of a pixel or so. A side
-/// that meets no other may meet two of half the size.
+/// Pairs sides that are the same: five of their places agree to about a thousandth of a pixel. A
+/// side that meets no other may meet two of half the size.
 void border_search::pair_sides() {
     std::vector<placed_side> all;
     vector least(std::numeric_limits<double>::max()), most(-least[0]);
@@ -273,8 +274,8 @@ void border_search::add_side(const met_sides& met) {
         add(sides[0], 0, 1, l3d_line_kind::crease, pieces);
 }
 
-/// Between neighbouring ends of the pieces' contours, the side is a contour if just one of both
-/// pieces shows its front.
+/// Adds the stretches of a common side that are a contour. Between neighbouring ends of the pieces'
+/// contours, it is one if just one of both pieces shows its front.
 void border_search::add_contours(const side& a, const side& b, bool turns) {
     std::vector<double> ends{0, 1};
     for (const side* const one : {&a, &b})

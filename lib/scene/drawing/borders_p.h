@@ -24,13 +24,13 @@ struct drawn_chain {
     std::optional<std::size_t> edge{};
 };
 
-/// The lines along the sides of pieces, and along their trims, except those along edges of a model
-/// (edge_joints).
+/// Finds the lines along the sides of pieces and along their trims. Lines along edges of a model
+/// are left out, since edge_joints finds them.
 ///
-/// Two sides at the same places count as one, in either direction; so do a half of a side and a
-/// whole one. They are a crease if the normals differ by two degrees or more at any of some places.
-/// Else the side is a contour wherever one piece shows its front and the other its back. So
-/// contours of pieces that are not quite smooth join too.
+/// Two sides at the same places are one line, in either direction. So are a half of a side and a
+/// whole side. The line is a crease if the normals of its pieces differ by two degrees or more at
+/// any of the places that are tried. Else it is a contour wherever one piece shows its front and
+/// the other its back. So contours of pieces that are not quite smooth join, too.
 /// Shape: `contours` holds the lines of contours_of for each piece, trimmed.
 std::vector<drawn_chain> borders_of(std::span<const image_piece> pieces,
                                     std::span<const std::vector<surface_line>> contours,

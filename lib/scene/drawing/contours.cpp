@@ -11,10 +11,11 @@ namespace l3d_detail {
 
 namespace {
 
-/// Each halving adds less than a rounding, 2^-53, for each degree: 44 x 48 of these at most.
+/// Bound of the rounding that all halvings add. Each adds less than 2^-53 for each degree: 44 x 48
+/// of these at most.
 constexpr double relative_rounding = 0x1p-41;
 
-/// The halvings that divide a piece by 2^24 both ways.
+/// Enough halvings to divide a piece by 2^24 both ways.
 constexpr int most_halvings = 48;
 
 /// A part of a piece.
@@ -104,7 +105,7 @@ double edge_values::zero() const {
         const bool is_low = (value >= 0) == (at_low >= 0);
         (is_low ? low : high) = t;
         (is_low ? at_low : at_high) = value;
-        if (side == (is_low ? -1 : 1)) // the other end has stayed twice
+        if (side == (is_low ? -1 : 1)) // the other end has stayed for two steps
             (is_low ? at_high : at_low) /= 2;
         side = is_low ? -1 : 1;
     }
@@ -158,8 +159,8 @@ private:
     std::vector<arc> arcs_;
 };
 
-/// Signs on which all cells with a common corner agree: those that rounding may change come from
-/// the whole piece.
+/// The signs of the contour's polynomial at the corners. All cells with a common corner agree on
+/// its sign: if rounding may change it, the value comes from the whole piece.
 std::array<bool, 4> contour_search::signs_of(const cell& of) const {
     const bernstein_net& f = of.contour;
     const std::array<double, 4> values{*f.at(0, 0), *f.at(0, f.m), *f.at(f.n, f.m), *f.at(f.n, 0)};
@@ -200,7 +201,8 @@ bool contour_search::settle(const cell& of) {
         add_by_signs(of);
         return true;
     }
-    // One zero at most on each line along u, or along v: no closed contours.
+    // The contour may meet each line along u, or each line along v, at most once. So there is no
+    // closed contour.
     if (!is_monotone(of.contour, true) && !is_monotone(of.contour, false))
         return false;
     const std::array<bool, 4> signs = signs_of(of);
@@ -272,7 +274,7 @@ arc_end contour_search::crossing(const cell& of, std::size_t edge) const {
     return end;
 }
 
-/// Adds the arcs that the signs of the corners imply, for a cell that is small in the picture.
+/// Adds the arcs that the signs at the corners imply, for a cell that is small in the picture.
 void contour_search::add_by_signs(const cell& of) {
     const std::array<bool, 4> signs = signs_of(of);
     std::vector<arc_end> ends;
@@ -370,18 +372,19 @@ contour_shape shape_of_contour(const image_piece& piece, const surface_vertex& t
     };
     const double xu = slope(p.by_u, 0), yu = slope(p.by_u, 1), zu = slope(p.by_u, 3);
     const double xv = slope(p.by_v, 0), yv = slope(p.by_v, 1), zv = slope(p.by_v, 3);
-    // The map to the picture has rank 1: (tx, ty) is its image.
+    // On the contour, the map to the picture has rank 1. All motions lead along (tx, ty).
     const bool by_u = std::hypot(xu, yu) >= std::hypot(xv, yv);
     const double length = by_u ? std::hypot(xu, yu) : std::hypot(xv, yv);
     const double tx = (by_u ? xu : xv) / length, ty = (by_u ? yu : yv) / length;
-    // The direction in parameters that is seen as a point, towards the eye.
+    // The direction in parameters that is seen as a point, turned towards the eye.
     double ku = -(xv * tx + yv * ty), kv = xu * tx + yu * ty;
     if (zu * ku + zv * kv > 0)
         ku = -ku, kv = -kv;
     const bernstein_net::jet f = piece.contour.evaluate(there.u, there.v);
     contour_shape result;
     result.turn = f.by_u[0] * ku + f.by_v[0] * kv;
-    // Along that direction the surface comes to the contour and goes back to the same side.
+    // A step in this direction, forwards or back, leads to the side of the contour on which the
+    // surface lies.
     const double scale = std::max(std::abs(ku), std::abs(kv));
     constexpr double step = 1e-3; // the second difference is well above rounding
     ku *= step / scale, kv *= step / scale;

@@ -53,7 +53,7 @@ image_edge::image_edge(const l3d_shared_edge& edge, const l3d_patch_instance& in
         spans.push_back({one.from, one.to, std::move(net)});
     }
     const double longer = instance.scale() > 0 ? instance.scale() : l3d_length(instance.terms());
-    if (is_ahead) // nothing is bounded where an edge reaches the near plane
+    if (is_ahead) // where an edge reaches the near plane, nothing is bounded
         off = edge.off * longer * view.scale_at(least_z);
 }
 
@@ -169,8 +169,8 @@ void edge_joints::end_on_edges(std::span<std::vector<surface_line>> contours, do
     }
 }
 
-/// Parameters between which the same pieces have the edge. Pieces of one face end a little apart,
-/// as each makes polygons of its own.
+/// The parameters that divide an edge, so that between two of them the same pieces have it. Pieces
+/// of one face end a little apart, as each makes polygons of its own.
 std::vector<double> edge_joints::cuts_of(std::size_t edge) const {
     std::vector<double> all;
     for (const edge_use& use : uses_[edge])
@@ -203,8 +203,8 @@ bool edge_joints::is_smooth(const edge_use& a, const edge_use& b, double from, d
     return true;
 }
 
-/// Between neighbouring ends of the pieces' contours, a smooth edge is a contour if just one of
-/// both shows its front.
+/// Adds the lines along a stretch of an edge. A smooth edge is a contour between two neighbouring
+/// ends of the pieces' contours if just one of both pieces shows its front.
 void edge_joints::add_joint(std::size_t edge, const edge_use& a, const edge_use& b, double from,
                             double to, bool with_joints, std::vector<drawn_chain>& result) const {
     const std::vector<std::size_t> sides{a.piece, b.piece};

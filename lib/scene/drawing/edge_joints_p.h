@@ -42,8 +42,9 @@ public:
     edge_joints(std::span<const image_piece> pieces, std::span<const image_edge> edges,
                 const drawing_view& view, double tolerance);
 
-    /// Moves the ends of contours that lie on an edge by their parameters to the edge's picture.
-    /// Two such ends become one place if they are nearer than near / 2 pixels.
+    /// Ends contours on the edges of the model. An end whose parameters lie on an edge is moved to
+    /// where the picture shows that edge. Two such ends become one place if they are nearer than
+    /// near / 2 pixels.
     /// Shape: `contours` holds the lines of each piece.
     void end_on_edges(std::span<std::vector<surface_line>> contours, double near);
 

@@ -29,7 +29,8 @@ l3d_space_curve above(const patch& of, const l3d_trim_place& from, const l3d_tri
                            edge_color);
 }
 
-/// Whether a line of parameters lies on a patch's side, which counts by itself.
+/// Whether a line of parameters lies on a side of a patch. Lines along sides are found by
+/// themselves.
 bool is_on_side(const l3d_trim_place& a, const l3d_trim_place& b) {
     for (const std::size_t k : {0U, 1U})
         if (a[k] == b[k] && (a[k] == 0 || a[k] == 1))

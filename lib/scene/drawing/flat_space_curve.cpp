@@ -78,8 +78,9 @@ private:
     }
 
     depth_point projected(const point& p) const {
-        // In a parallel projection, surfaces have depths from 1 to 1.25. A point that is farther
-        // than eight times their depth is behind all of them, and so is a point of the least depth.
+        // In a parallel projection, surfaces have depths from 1 to 1.25. Points far behind all
+        // surfaces would have depths of 0 and less. They get the least depth instead, which is
+        // behind all surfaces, too.
         constexpr double least = 0x1p-20;
         const double depth = p[3] / p[2];
         return {centre_x_ + p[0] / p[2], centre_y_ + p[1] / p[2],
@@ -147,7 +148,8 @@ l3d_detail::flat_space_curve(const l3d_space_curve& curve, const l3d_camera& cam
                              double tolerance, const depth_law& law,
                              const std::optional<l3d_plane<double>>& section) {
     const l3d_matrix<double> to_image = camera.image_matrix(size) * curve.placement();
-    // The depth times the divisor. In a parallel projection, the depth is linear in the place.
+    // The row that gives a place's depth times the divisor. In a parallel projection, the depth is
+    // linear in the place.
     const l3d_vector<double, 3> forward = camera.axes().forward;
     const double at_origin = law.base - law.step * l3d_dot(forward, camera.eye);
     const point at_depth = law.step == 0 ? point{0.0, 0.0, 0.0, 1.0}

@@ -79,8 +79,8 @@ void add_product(const bernstein_net& a, const bernstein_net& b, double sign, be
         }
 }
 
-/// Divides by v, 1 - v, u or 1 - u as long as the polynomial vanishes there, as it does at a
-/// boundary that is a point. Then v B^(n-1)_j = (j + 1) / n B^n_(j+1).
+/// Divides by v, 1 - v, u or 1 - u as long as the polynomial vanishes where that factor does, as at
+/// a boundary that is a point. Source: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
 void divide_by_vanishing(bernstein_net& f) {
     constexpr double rounding = 0x1p-40; // the shear leaves far more at a contour along a boundary
     constexpr int most_times = 4;
@@ -109,9 +109,9 @@ void divide_by_vanishing(bernstein_net& f) {
         }
 }
 
-/// det(p, dp/du, dp/dv) of the homogeneous places of the picture. It is the third power of w times
-/// the determinant by which the map to the picture scales areas. So it is zero where that map
-/// folds.
+/// The polynomial whose zeros are the contours: det(p, dp/du, dp/dv) of the homogeneous places of
+/// the picture. It is the third power of w times the determinant by which the map to the picture
+/// scales areas. So it is zero where that map folds.
 bernstein_net contour_of(const bernstein_net& p) {
     const bernstein_net by_u = p.derivative(true), by_v = p.derivative(false);
     bernstein_net result(3 * p.m - 1, 3 * p.n - 1, 1);
@@ -164,7 +164,8 @@ bernstein_net bernstein_net::part(double u0, double u1, double v0, double v1) co
             continue;
         const bernstein_net old = result;
         for_lines(old, along_u, [&](std::size_t first, std::size_t stride, int degree) {
-            // The blossom at `from` in degree - k places and at `to` in k places.
+            // The coefficient is the blossom at `from` in degree - k arguments and at `to` in k
+            // arguments.
             for (int k = 0; k <= degree; ++k) {
                 values p{};
                 for (int i = 0; i <= degree; ++i)
@@ -251,9 +252,10 @@ image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>
     contour = contour_of(net);
 }
 
-/// Bounds how far a change of u, and of v, moves a place in the picture. With P = (x, y) / w in the
-/// net's box, P' is ((x, y)' - P w') / w. Weights far below the largest lie beyond the near plane
-/// and are not counted. They would ask for millions of chords for parts that are hardly seen.
+/// Bounds how far a change of u, and of v, moves a place in the picture, so that polygons may stand
+/// for trims. With P = (x, y) / w in the net's box, P' is ((x, y)' - P w') / w. Weights far below
+/// the largest lie beyond the near plane and are not counted. They would ask for millions of chords
+/// for parts that are hardly seen.
 double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
                          const drawing_view& view) {
     double most = 0, least = net.c[2];
@@ -292,8 +294,8 @@ double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
     }
     is_trimmed = true;
     const double off = l3d_flat_trims(loops, lengths, wanted, region);
-    // Trims of files run along sides of pieces, except for rounding. They must not be cut off
-    // there.
+    // Trims of files may run along sides of pieces, and leave them by rounding. Such a trim must
+    // not cut off a part of the side.
     constexpr double rounding = 1e-9;
     for (l3d_trim_polygon& polygon : region.polygons)
         for (l3d_trim_corner& corner : polygon)
@@ -326,7 +328,7 @@ l3d_vector<double, 3> image_piece::normal(double u, double v) const {
     return length > least_sine * l3d_length(su) * l3d_length(sv) ? n * (1 / length) : vector(0.0);
 }
 
-/// Rows hold a few sides each, as polygons cross few rows.
+/// Sorts the sides into rows. A row holds a few sides, and a polygon crosses few rows.
 region_rows::region_rows(const l3d_trim_region& region) {
     std::size_t sides = 0;
     for (const l3d_trim_polygon& polygon : region.polygons)

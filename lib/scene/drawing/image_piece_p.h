@@ -43,8 +43,8 @@ struct bernstein_net {
     static std::pair<bernstein_net, bernstein_net> halves(bernstein_net whole, bool along_u);
     /// The derivative along u, or along v.
     bernstein_net derivative(bool along_u) const;
-    /// The same polynomial with new parameters that run from 0 to 1 where u runs from u0 to u1 and
-    /// v from v0 to v1; u1 may be below u0.
+    /// The part of the polynomial where u runs from u0 to u1 and v from v0 to v1. Its own
+    /// parameters run from 0 to 1. u1 may be below u0.
     bernstein_net part(double u0, double u1, double v0, double v1) const;
 
     /// Values and derivatives of at most 4 dims.
@@ -63,8 +63,8 @@ struct image_place {
 
 /// The map from the world to homogeneous places of the picture: x w, y w, w, z w.
 ///
-/// All is sheared by a tiny part of the depth, so that no view is a special one: no plane is seen
-/// exactly edge-on, and no contour runs exactly along a seam.
+/// The picture is sheared by a tiny part of the depth. So no plane is seen exactly edge-on, and no
+/// contour runs exactly along a seam.
 class drawing_view {
 public:
     static constexpr double shear = 0x1p-28;
@@ -72,7 +72,8 @@ public:
     drawing_view(const l3d_camera& camera, l3d_size size, double middle_depth, double reach);
 
     std::array<double, 4> placed(const std::array<double, 4>& world) const;
-    /// Not negative in front of the near plane; linear in homogeneous places.
+    /// Tells on which side of the near plane a homogeneous place lies: not negative in front of it.
+    /// The value is linear in homogeneous places.
     double ahead(const double* p) const { return is_parallel_ ? 1 : p[3] - near_ * p[2]; }
     /// The distance along the view axis.
     double depth_of(double z) const;
@@ -132,8 +133,8 @@ struct image_piece {
     image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
                 const drawing_view& view);
 
-    /// Makes the region from these loops, as polygons, and returns the largest distance between
-    /// both. Where the piece reaches the near plane, that is no bound.
+    /// Makes the region of polygons that stand for these loops. Returns the largest distance
+    /// between polygons and loops, which is no bound where the piece reaches the near plane.
     /// Units: pixels.
     double trim(std::span<const l3d_trim_loop> loops, double wanted, const drawing_view& view);
 
@@ -166,8 +167,9 @@ struct flat_image {
     }
 };
 
-/// Whether a net is nearer to a parallelogram if it is halved along u rather than along v: along
-/// the direction in which it bends more, or is longer if its twist is what counts.
+/// Whether to halve a net along u rather than along v, so that halves are nearer to parallelograms.
+/// It chooses the direction in which the net bends more, or the longer one if twist is larger than
+/// both bends.
 /// Expects: all in front of the near plane.
 bool bends_along_u(const bernstein_net& net);
 

@@ -142,10 +142,10 @@ private:
             cut(two, t);
     }
 
-    /// Cuts other lines where a line ends on them: the surface that hides these often begins there,
+    /// Cuts other lines where a line ends on them. A surface that hides them often begins there,
     /// too.
     void end_on_others(std::size_t chain, const surface_vertex& end) {
-        const double reach = 4 * tolerance_; // both lines are within the tolerance
+        const double reach = 4 * tolerance_; // both lines are off by at most the tolerance
         for_squares(end.at.x - reach, end.at.x + reach, end.at.y - reach, end.at.y + reach,
                     [&](std::size_t at) {
                         for (const chord& c : squares_[at]) {

@@ -15,9 +15,10 @@ namespace l3d_detail {
 /// The lengths in the picture from a line's first vertex to each.
 std::vector<double> lengths_along(const surface_line& line);
 
-/// Places along lines, by their length in the picture from the line's beginning: each where another
-/// line that may be nearer crosses it or ends on it, or where it crosses the picture's border.
-/// Between two of them a line is seen or hidden as a whole, unless it passes through a surface.
+/// Finds places that cut lines into stretches. Between two of them, a line is seen or hidden as a
+/// whole, unless it passes through a surface.
+/// A line is cut where another line that may be nearer crosses it or ends on it, and at the
+/// picture's border. Places are lengths in the picture from the line's beginning.
 /// Shape: for each chain its places in order, its own two ends among them.
 std::vector<std::vector<double>> cut_lines(std::span<const drawn_chain> chains,
                                            const drawing_view& view, double tolerance);

@@ -25,20 +25,22 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Shares of the tolerance for chords, for polygons that stand for trims, and for ends of contours
-/// on an edge. The rest is for the shear and for rounding.
+/// The shares of the tolerance that three errors may take: those of chords, of polygons that stand
+/// for trims, and of ends of contours on an edge, which take half of theirs. The rest is for the
+/// shear and for rounding.
 constexpr double chord_share = 0.5, trim_share = 0.25, joint_share = 0.25;
 
-/// A stretch that is shorter becomes like its neighbours. Units: pixels.
+/// A stretch that is shorter becomes seen or hidden as its neighbours are. Units: pixels.
 constexpr double sliver = 0.75;
 
-/// A line that passes through a surface is found if the surface hides so many pixels of it.
+/// Distance of samples along a stretch. A line that passes through a surface is certainly found if
+/// the surface hides a stretch as long as this. Units: pixels.
 constexpr double sample_distance = 32;
 
 /// The distance of the first and last sample of a long stretch from its ends. Units: pixels.
 constexpr double from_ends = 3;
 
-/// A change between seen and hidden inside a stretch is found within so many pixels.
+/// Error of the place where a line changes between seen and hidden, in pixels.
 constexpr double break_error = 1.0 / 32;
 
 drawing_view view_of(const l3d_patch_scene& scene, const l3d_camera& camera, l3d_size size) {
@@ -169,7 +171,8 @@ std::array<line_end, 2> ends_of(const surface_line& line, std::size_t group) {
     return {end(line[0], line[1]), end(line[count - 1], line[count - 2])};
 }
 
-/// Appends a line, or its reverse, whose first vertex may be the last one again.
+/// Appends a line, or the reverse of it if `is_back`. Its first vertex may repeat the last one of
+/// `to`.
 void append(surface_line& to, const surface_line& line, bool is_back) {
     if (is_back)
         to.insert(to.end(), line.rbegin(), line.rend());
@@ -178,7 +181,7 @@ void append(surface_line& to, const surface_line& line, bool is_back) {
 }
 
 /// Joins contours inside of pieces where they go on in the next pieces. Contours along sides stay
-/// apart, as another test tells whether they are seen.
+/// apart, since another test tells whether they are seen.
 void drawer::join_contours(std::vector<drawn_chain> contours) {
     std::vector<std::array<line_end, 2>> ends;
     for (const drawn_chain& chain : contours)
@@ -224,8 +227,8 @@ image_place drawer::on_curve(const drawn_chain& chain, const surface_vertex& a,
     return chain.edge ? edges_[*chain.edge].at(u) : pieces_[a.piece].at(u, v);
 }
 
-/// The share of parameters between two vertices at which the curve passes a share of their chord.
-/// Perspective and weights make these two differ.
+/// The share of the way between two vertices, in parameters, at which the curve is beside the place
+/// `of_chord` of their chord. Perspective and weights make these two shares differ.
 double drawer::share_of_curve(const drawn_chain& chain, const surface_vertex& a,
                               const surface_vertex& b, double of_chord) const {
     const double dx = b.at.x - a.at.x, dy = b.at.y - a.at.y, square = dx * dx + dy * dy;

@@ -11,7 +11,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Ends that coincide in exact numbers differ by far less, and nobody sees such a gap.
+/// Distances within which ends are the same place. Ends that coincide in exact numbers differ by
+/// far less, and nobody sees such a gap.
 constexpr double same_place = 1e-3, same_depth = 0.1;
 
 constexpr std::size_t none = ~std::size_t{0};

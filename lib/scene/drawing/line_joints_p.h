@@ -19,7 +19,8 @@ struct line_end {
     std::size_t group = 0;       ///< lines of other groups do not continue it
 };
 
-/// A line in a row of lines, and whether the row runs through it from its end.
+/// A line in a row of lines. `is_back` tells whether the row runs through it from its end to its
+/// beginning.
 struct joined_line {
     std::size_t line = 0;
     bool is_back = false;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double flat_enough = 1.0 / 256;
 
-/// The halvings that divide a piece by 2^20 both ways, for pieces that cross the near plane.
+/// Enough halvings to divide a piece by 2^20 both ways, for pieces that cross the near plane.
 constexpr int most_halvings = 40;
 
 } // namespace

@@ -18,16 +18,18 @@ namespace l3d_detail {
 /// passes within that distance. Halves are kept for further questions.
 class line_of_sight {
 public:
-    /// Surfaces that are nearer by less do not hide a place, since its line may lie on them.
+    /// How much nearer than a place a surface must be to hide it. The place's line may lie on a
+    /// surface that is not.
     /// Units: pixels of depth.
     static constexpr double least_gap = 0.25;
-    /// The same for pieces on whose side the line runs.
+    /// The same for pieces whose sides the line follows.
     static constexpr double least_gap_of_sides = 2;
 
     /// Lives: borrows pieces and view.
     line_of_sight(std::span<const image_piece> pieces, const drawing_view& view);
 
-    /// Whether a piece lies in front of the place. `sides` are the pieces on whose side it lies.
+    /// Whether a piece lies in front of the place. `sides` are the pieces whose sides the line
+    /// follows.
     bool is_hidden(const image_place& at, std::span<const std::size_t> sides);
 
 private:

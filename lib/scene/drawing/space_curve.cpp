@@ -10,7 +10,7 @@
 #include <cstddef>
 #include <vector>
 
-/// The curve is the border of a surface whose points are the same in all rows.
+/// Uses the border of a surface whose points are the same in all rows: that border is the curve.
 l3d_space_curve::l3d_space_curve(const l3d_nurbs_curve& curve, std::uint32_t color, double width)
     : color_(color), width_(width) {
     if (!(width > 0 && width <= most_width))

@@ -7,8 +7,9 @@
 #include <cmath>
 #include <limits>
 
-/// An interval: all numbers from `low` to `high`. The result of an operation holds all results for
-/// numbers of its operands, since its ends are rounded outwards by one floating point number.
+/// An interval: all numbers from `low` to `high`. The result of an operation holds the results for
+/// all numbers of its operands. For this its ends are rounded outwards by one floating point
+/// number.
 struct l3d_interval {
     double low = 0, high = 0;
 

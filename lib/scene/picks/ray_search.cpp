@@ -10,16 +10,16 @@
 
 namespace {
 
-/// A part is inflated by this share at each side before anything is proven about it. So a point on
+/// The share by which a part grows at each side before anything is proven about it. So a point on
 /// the border of two parts, or of two patches, lies inside both.
 constexpr double margin = 0.125;
-/// The operator's contraction must be at most this where a hit is proven. Then the image of a part
-/// that holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
+/// The largest contraction with which Newton's operator proves a hit. Then the image of a part that
+/// holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
 constexpr double most_contraction = 0.08;
-/// Parts within this many errors of the ray are not split: neither half could be told to hold the
-/// hit.
+/// Parts within this many errors of the ray are not split, since it could not be told which half
+/// holds the hit.
 constexpr double blurred_errors = 16;
-/// Parts no larger than this, along u or along v, are not split that way.
+/// Parts that are no larger than this along u are not split along u, and so for v.
 constexpr double least_size = 0x1p-48;
 /// The most steps, far more than a ray needs unless it runs along a surface. Beyond it no part is
 /// split.
@@ -67,7 +67,7 @@ l3d_ray_net inflated(const l3d_ray_net& net) {
     return result;
 }
 
-/// Bounds of the derivative of a coordinate along u or v, for parameters that go from 0 to 1.
+/// Bounds of the derivative of a coordinate along u or v, over all of the net.
 range slope(const l3d_ray_net& net, int coordinate, bool along_v) {
     range result{};
     for (int i = 0; i < 4; ++i)
@@ -96,7 +96,7 @@ struct operator_of {
         const double a = j[0][0].middle(), b = j[0][1].middle();
         const double c = j[1][0].middle(), d = j[1][1].middle();
         const double determinant = a * d - b * c;
-        // Nothing is proven if the determinant may be rounding alone.
+        // Nothing is proven if the determinant may be 0 within its rounding.
         if (!(std::abs(determinant) > 0x1p-40 * (std::abs(a * d) + std::abs(b * c))))
             return;
         exists = true;
@@ -201,7 +201,8 @@ void l3d_ray_search::split(const part& one) {
             push(std::move(half));
 }
 
-/// Settles a part if possible: true if it has no hit, or if its one hit is now in the heap.
+/// Settles a part if possible. Returns true if it certainly has no hit, or if its one hit is now in
+/// the heap.
 bool l3d_ray_search::settle(const part& one) {
     const root& whole = roots_[one.root];
     const l3d_ray_net larger = inflated(one.net);
@@ -220,7 +221,8 @@ bool l3d_ray_search::settle(const part& one) {
     for (const double step : first)
         if (std::abs(step) + reach > 0.5)
             return false;
-    // The image is inside: there is one hit. The last step bounds the remaining distance.
+    // The image is inside, so there is exactly one hit. The last step bounds the distance that is
+    // left.
     double left = 1;
     for (int i = 0; i < 8 && left > blur; ++i) {
         const auto step = newton.step(larger.evaluate(at[0], at[1]));

@@ -11,8 +11,8 @@
 #include <utility>
 #include <vector>
 
-/// A patch as a ray sees it: coordinates 0 and 1 are zero on the ray, and 2 is the depth. So w() is
-/// its range of depths.
+/// A patch as a ray sees it. Coordinates 0 and 1 are zero on the ray, and coordinate 2 is the depth
+/// along it. So w() is the patch's range of depths.
 using l3d_ray_net = l3d_image_net;
 
 /// A place where the ray meets a patch.
@@ -30,13 +30,13 @@ struct l3d_ray_hit {
 /// nearest().
 class l3d_ray_search {
 public:
-    /// Hits before `near` or beyond `far` do not count, nor do proven hits for which `is_seen` is
-    /// false.
+    /// `near` and `far` limit the depth of hits. A proven hit counts only if `is_seen` is true for
+    /// it.
     l3d_ray_search(double near, double far, std::function<bool(const l3d_ray_hit&)> is_seen)
         : near_(near), far_(far), is_seen_(std::move(is_seen)) {}
 
-    /// Adds a patch under a number. `error` bounds the rounding of the net's coordinates, and that
-    /// of halving and evaluating it.
+    /// Adds a patch under a number. `error` bounds the rounding of the net's coordinates, and the
+    /// rounding that halving and evaluating it add.
     void add(std::size_t patch, const l3d_ray_net& net, double error);
 
     std::optional<l3d_ray_hit> nearest();

@@ -36,7 +36,7 @@ struct l3d_surface_jet {
 /// The middle of each coordinate's bounds.
 l3d_vector<double, 3> l3d_middle(const l3d_surface_jet::vector& v);
 
-/// A bound of the distance between that middle and the vector.
+/// A bound of the distance between the vector and l3d_middle of it.
 double l3d_radius(const l3d_surface_jet::vector& v);
 
 #endif

@@ -17,9 +17,9 @@
 
 namespace {
 
-/// Reads the numbers that a list begins with. Returns the text after the comma that follows them,
-/// which may be a colour. Without that comma, the text is empty.
-/// Errors:  nothing for fewer numbers, or for a comma that nothing follows.
+/// Reads N numbers at the beginning of a list, and returns the text after the comma that follows
+/// them. That text may be a colour; it is empty without a comma.
+/// Errors:  nothing for fewer numbers, or for a comma with nothing behind it.
 template <std::size_t N>
 std::optional<std::string_view> read_before_color(std::string_view text,
                                                   std::array<double, N>& numbers) {
@@ -45,7 +45,7 @@ void l3d_afd_options::add_light(const std::string& text) {
         std::max({std::abs(towards[0]), std::abs(towards[1]), std::abs(towards[2])});
     if (most == 0)
         throw l3d_error(l3d_exit::usage, "--light: '" + text + "' has no direction");
-    if (!(most > 1e-100 && most < 1e100)) // else squares would be infinite, or zero
+    if (!(most > 1e-100 && most < 1e100)) // squares of others would be infinite or zero
         towards = towards / most;
     const l3d_light_color color =
         l3d_detail::read_light_color("--light", rest->empty() ? "white" : *rest);

@@ -50,7 +50,7 @@ l3d_camera seen_from_above(l3d_camera camera) {
     return camera;
 }
 
-/// Refuses options that have no effect together with the others.
+/// Refuses options that have no effect in their combination.
 /// Errors:  l3d_error(usage).
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
@@ -311,7 +311,8 @@ l3d_camera l3d_afd_options::camera() const {
     return result;
 }
 
-/// The camera before --eye and --target: that of the file, or else the usual one.
+/// The camera as it is before --eye and --target change it: that of the file, or else the usual
+/// one.
 l3d_camera l3d_afd_options::asked_camera() const {
     l3d_camera result = camera_;
     if (!file_camera_.empty()) {
@@ -492,7 +493,8 @@ bool l3d_afd_options::write_svg(const l3d_patch_scene& scene) const {
     return true;
 }
 
-/// Paper shows finer lines than a screen: the tolerance of drawings, not that of pictures.
+/// The tolerance of --svg. Paper shows finer lines than a screen, so it is the tolerance of
+/// drawings, not that of pictures.
 double l3d_afd_options::svg_tolerance() const {
     return std::clamp(tolerance_.value_or(l3d_line_settings().tolerance),
                       l3d_line_settings::least_tolerance, l3d_line_settings::most_tolerance);

@@ -30,9 +30,9 @@ public:
     ///          the file has no camera of that name; l3d_error(bad_input) as file().
     l3d_camera camera() const;
 
-    /// The same camera if places_camera(). Otherwise `framed` makes another one from it, with the
-    /// planes that --near and --far ask for. If `framed` changes the camera, the model of a file is
-    /// seen from higher up than the teapot.
+    /// The same camera if places_camera(). Otherwise `framed` makes another one of it, which gets
+    /// the planes that --near and --far ask for. If `framed` changes the camera, the model of a
+    /// file is seen from higher up than the teapot.
     /// Errors:  as camera().
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
@@ -89,8 +89,8 @@ public:
     /// Whether --subdivide was given.
     bool subdivides() const { return subdivides_; }
 
-    /// Whether the model is patches alone, and so is best drawn as such. Its file is read, and kept
-    /// for file().
+    /// Whether the model consists of patches alone, and so is best drawn as patches. Its file is
+    /// read, and kept for file().
     /// Errors:  as file().
     bool is_of_patches() const;
 
@@ -139,7 +139,7 @@ public:
     /// Errors:  l3d_error(usage).
     void check_pick(l3d_size size) const;
 
-    /// Whether neither a model nor a camera was asked for.
+    /// Whether the user asked for neither a model nor a camera.
     bool shows_the_usual() const;
 
 private:

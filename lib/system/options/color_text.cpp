@@ -36,7 +36,7 @@ std::array<double, 3> levels_of(std::uint32_t word) {
             static_cast<double>(word & 255)};
 }
 
-/// Reads the digits RRGGBB, or RGB, where each digit counts twice: f is ff.
+/// Reads hexadecimal digits: RRGGBB, or RGB, whose digits each count twice, so f is ff.
 std::optional<std::uint32_t> read_digits(std::string_view digits) {
     std::string six(digits);
     if (digits.size() == 3)

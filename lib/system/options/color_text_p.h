@@ -13,7 +13,8 @@
 
 namespace l3d_detail {
 
-/// The kind of value that --help names, and the forms of a colour that messages and --help list.
+/// The word by which --help names this kind of value, and the forms of a colour that messages and
+/// --help list.
 inline constexpr const char* color_kind = "COLOR";
 inline constexpr const char* color_forms =
     "a colour: R,G,B from 0 to 255, #RGB, #RRGGBB or a name such as orange";
@@ -27,10 +28,11 @@ std::optional<std::array<double, 3>> read_color(std::string_view text);
 /// Errors:  l3d_error(usage) that names the option and its value.
 l3d_light_color read_light_color(const char* option, std::string_view text);
 
-/// Reads a colour as a pixel word, 0x00RRGGBB. Errors: nothing also for levels that are not whole.
+/// Reads a colour as a pixel word, 0x00RRGGBB.
+/// Errors:  nothing for a text that read_color refuses, or for levels that are not whole.
 std::optional<std::uint32_t> read_paint(std::string_view text);
 
-/// "; did you mean 'red'?" for a text that is almost a colour's name, else nothing.
+/// The text "; did you mean 'red'?" if `text` is almost a colour's name, else "".
 std::string meant_color(std::string_view text);
 
 /// All names of colours, with blanks between them.

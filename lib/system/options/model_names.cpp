@@ -35,7 +35,7 @@ std::vector<std::string> l3d_detail::model_names() {
     for (const std::string_view name : l3d_exact_shape_names())
         names.emplace_back(name);
     std::ranges::sort(names);
-    // Some are names of both a file and an exact shape.
+    // A name may be that of a file and of an exact shape.
     names.erase(std::unique(names.begin(), names.end()), names.end());
     return names;
 }

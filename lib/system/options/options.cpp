@@ -42,8 +42,8 @@ std::string long_name(const std::string& name) {
     throw l3d_error(l3d_exit::usage, long_name(name) + ": '" + text + "' is not " + wanted);
 }
 
-/// Adds an option with a value that `read` converts. The library's own conversions know no NaN and
-/// no ranges, and their messages leave out the value.
+/// Adds an option with a value that `read` converts. The library's own conversions refuse neither
+/// NaN nor numbers out of a range, and their messages leave out the value.
 void add_text(CLI::App& app, const std::string& name, const std::string& help,
               const std::string& kind, const std::string& preset,
               const std::function<void(const std::string&)>& read) {
@@ -228,7 +228,7 @@ std::string l3d_options::end_of_help() const {
     return text;
 }
 
-/// Adds the options for processes that make some frames of a sequence, or make them again.
+/// Adds the options for processes that make some frames of a sequence, or those that are missing.
 void l3d_options::add_batch() {
     const auto read = [this](const std::string& text) {
         std::array<int, 2> range{};
@@ -403,7 +403,8 @@ bool l3d_options::parse(int argc, const char* const* argv, std::ostream& out) {
     }
     refuse_what_is_left(parser_->app);
     refuse_one_file_for_two();
-    // Made early, so that faults in --output are told before the user is asked for a back-end.
+    // The writer is made early, so that faults in --output are told before the user is asked for a
+    // back-end.
     const l3d_frame_writer frames(common_.output, common_.alpha);
     for (const named_file& file : files_)
         if (file.value != &common_.output && frames.has_frame_in(*file.value))

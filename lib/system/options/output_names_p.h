@@ -19,7 +19,8 @@ std::filesystem::path place_of(const std::string& name);
 /// /dev/null, takes anything.
 bool mean_one_file(const std::string& a, const std::string& b);
 
-/// Checks the folder early: a run of frames should not end with the news that it never existed.
+/// Checks that the folder is there. This comes early: a run of frames should not end with the news
+/// that its folder never existed.
 /// Errors:  l3d_error(failure) that names the option, its value and the folder of `file`.
 void check_folder(const std::string& option, const std::string& name, const std::string& file);
 

@@ -109,7 +109,8 @@ void l3d_part_options::check_opacities(const l3d_parts& parts) const {
                " parts");
 }
 
-/// A model that may have some of the parts, or none. It may become empty.
+/// A model with --color, --hide and --show-only applied, as far as it has these parts. It may
+/// become empty.
 template <class Model> Model l3d_part_options::as_asked(const Model& model) const {
     Model result = model;
     for (const colored& color : colors_)

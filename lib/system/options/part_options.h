@@ -35,27 +35,28 @@ public:
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
-    /// The scene as --color, --hide, --show-only and --opacity ask. Each part that --opacity names
-    /// becomes an instance. The rest of an instance becomes one for each opacity that its materials
-    /// have.
+    /// Applies --color, --hide, --show-only and --opacity to a scene. Each part that --opacity
+    /// names becomes an instance. The rest of an instance is divided into one instance for each
+    /// opacity that its materials have.
     /// Errors:  as applied().
     l3d_patch_scene scene(const l3d_patch_scene& whole) const;
 
-    /// The same as --opacity asks, whatever other options say: for a viewer with a list of parts.
+    /// Applies --opacity alone to a scene: for a viewer whose list of parts serves the other
+    /// options.
     /// Errors:  l3d_error(usage) as scene().
     l3d_patch_scene scene_by_opacity(const l3d_patch_scene& whole) const;
     /// Makes a list of parts hide and colour those that --color, --hide and --show-only name.
     /// Errors:  as applied().
     void put_into(l3d_part_list& list, const l3d_parts& parts) const;
-    /// Refuses --opacity, which a model of polygons has not. Errors: l3d_error(usage).
+    /// Refuses --opacity, since parts of a model of polygons have none. Errors: l3d_error(usage).
     void refuse_for_polygons() const;
 
-    /// The model as --color, --hide and --show-only ask.
+    /// Applies --color, --hide and --show-only to a model of patches.
     /// Errors:  l3d_error(usage) that names the option, for a name that is no part; it lists the
     ///          parts.
     l3d_patch_model applied(const l3d_patch_model& model) const;
-    /// The polygons as these options ask. Errors: as for patches; l3d_error(usage) also for
-    /// --opacity.
+    /// Applies the same options to a model of polygons.
+    /// Errors:  as for patches; l3d_error(usage) also for --opacity.
     l3d_polygon_model applied(const l3d_polygon_model& model) const;
 
 private:

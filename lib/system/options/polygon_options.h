@@ -40,8 +40,8 @@ public:
     /// Errors:  l3d_error(bad_input) with file and line, if it takes a look at the model.
     l3d_pipeline_kind pipeline() const;
 
-    /// Writes the parts of the model asked for to standard output, as l3d_part_options::list does:
-    /// of patches or of faces, whichever would be drawn.
+    /// Writes the parts of the model to standard output, as l3d_part_options::list does. They are
+    /// parts of patches if the model would be drawn as patches, else parts of faces.
     /// Errors:  as model().
     void list_parts() const;
 
@@ -67,8 +67,8 @@ private:
     const l3d_afd_options& shared_;
     bool prefers_patches_ = false;
     l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::suitable;
-    mutable std::optional<l3d_pipeline_kind> chosen_; ///< the answer of pipeline(), once it was
-                                                      ///< asked
+    /// The answer of pipeline(), kept after the first call.
+    mutable std::optional<l3d_pipeline_kind> chosen_;
     bool hidden_lines_ = false, to_origin_ = false;
     l3d_vector<double, 3> rotation_ = l3d_polygon_settings().rotation;
     l3d_rotation_order rotation_order_ = l3d_polygon_settings().rotation_order;
