@@ -69,9 +69,8 @@ void bound_bends(const l3d_patch_scene& scene, l3d_workers& workers) {
     for (const l3d_patch_instance& instance : scene.instances()) {
         const l3d_patch_model& model = instance.model();
         if (!model.is_curved() && bounded.insert(model.identity()).second)
-            workers.for_each(static_cast<int>(model.patches().size()), [&model](int i, int) {
-                model.bends(static_cast<std::size_t>(i));
-            });
+            workers.for_each(static_cast<int>(model.patches().size()),
+                             [&model](int i, int) { model.bends(static_cast<std::size_t>(i)); });
     }
 }
 

@@ -31,7 +31,6 @@ bool read(std::istream& text, const std::string& what, double& number, std::stri
 bool parse(const char* parameters, videoscape& model, std::string& why) {
     std::istringstream text(parameters);
     text.imbue(std::locale::classic()); // the host's locale may have decimal commas
-    text.imbue(std::locale::classic());
     for (std::size_t i = 0; i < 3; ++i)
         if (!read(text, std::string("the position's ") + "xyz"[i], model.position[i], why))
             return false;
