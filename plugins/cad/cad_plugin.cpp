@@ -124,13 +124,6 @@ void stand_alone(pid_t parent, rlim_t seconds) {
 
 /// Reads the text, and sends its records. Returns the process's exit status.
 int work(std::string_view text, bool is_iges, int records, shared_state& state) {
-    // The kernel can only read files by name.
-    const int file = memfd_create("l3d_cad", MFD_CLOEXEC);
-    if (file < 0 || !send(file, text)) {
-        state.set_fault("there is no memory for a copy of the file");
-        return 1;
-    }
-    const std::string path = "/proc/self/fd/" + std::to_string(file);
     l3d_detail::cad_writer to;
     bool is_lost = false;
     const auto send_all = [&] {
@@ -141,8 +134,7 @@ int work(std::string_view text, bool is_iges, int records, shared_state& state) 
         if (to.bytes.size() > chunk)
             send_all();
     };
-    const std::string fault =
-        cad::write_document(path.c_str(), is_iges, to, send_much, state.share());
+    const std::string fault = cad::write_document(text, is_iges, to, send_much, state.share());
     send_all();
     state.set_fault(fault);
     return fault.empty() && !is_lost ? 0 : 1;

@@ -4,6 +4,7 @@
 #include "cad/shapes.h"
 #include "geom/files/model_file.h"
 #include "geom/files/reading_progress_p.h"
+#include "plugins/cad/document.h"
 
 #include <BRepAlgoAPI_Cut.hxx>
 #include <BRepPrimAPI_MakeBox.hxx>
@@ -15,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -144,6 +146,25 @@ TEST(cad_file, is_read_with_progress_and_stops_when_asked) {
     EXPECT_EQ(shares.back(), 1);
     EXPECT_FALSE(l3d_detail::read_model({}, text, "part", why, [](double) { return false; }));
     EXPECT_EQ(why, "part: reading was stopped");
+}
+
+TEST(cad_file, tells_how_much_of_its_text_is_read) {
+    constexpr std::size_t quarter = std::size_t{1} << 18;
+    std::vector<double> shares;
+    for (const std::size_t quarters : {1, 2, 3, 4}) {
+        std::string text = "ISO-10303-21;\n" + std::string(4 * quarter, '\n');
+        text.replace(quarters * quarter - 5, 5, "DATA;"); // the kernel stops: there is no header
+        std::atomic<double> share = 0;
+        l3d_detail::cad_writer to;
+        EXPECT_EQ(cad::write_document(
+                      text, false, to, [] {}, share),
+                  "Open CASCADE cannot read it as STEP");
+        shares.push_back(share);
+    }
+    EXPECT_LE(shares[3], 0.2) << "no shapes are made yet";
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_NEAR(shares[i], shares[3] * static_cast<double>(i + 1) / 4, shares[3] / 16) << i;
+    EXPECT_GT(shares[0], 0);
 }
 
 TEST(cad_file, has_the_same_places_as_copies_and_as_instances) {

@@ -54,11 +54,13 @@ vector place_of(l3d_space_curve::bezier points, double t) {
     return vector{points[0][0], points[0][1], points[0][2]} / points[0][3];
 }
 
-l3d_shared_polyline polyline_of(const l3d_space_curve::bezier& points, const l3d_dice_view& view) {
+l3d_shared_polyline polyline_of(const l3d_space_curve::bezier& points, const l3d_dice_view& view,
+                                double off = 0) {
     const vector from = place_of(points, 0), to = place_of(points, 1);
     const l3d_shared_edge edge{.curve = l3d_nurbs_curve::polyline({from, to}),
                                .spans = {{0, 1, points}},
-                               .ends = {from, to}};
+                               .ends = {from, to},
+                               .off = off};
     l3d_shared_polyline result;
     result.make(edge, to_image(), view);
     return result;
@@ -150,6 +152,54 @@ TEST(strip_error, is_finite_where_edge_and_border_leave_the_picture) {
     EXPECT_GT(piece.strips.places, 0);
     EXPECT_LT(piece.strips.places, 0.5);
     EXPECT_LT(piece.strips.depth, 0.5);
+}
+
+/// An edge from the middle of the picture to 200 000 px beside it: of a loose one, whose faces may
+/// be anywhere, chords are known as far as faces are looked for, and no farther.
+TEST(shared_polyline, is_known_beside_the_picture_where_it_is_loose) {
+    constexpr double farthest = 4096;
+    const l3d_dice_view view = view_of(0.25);
+    const l3d_image_box seen = view.margin();
+    const vector end{1e3, 0.0, 1.0};
+    for (const double off : {0.0, 1e6}) {
+        const l3d_shared_polyline line =
+            polyline_of({{0.0, 0.0, 1.0, 1.0}, {end[0], end[1], end[2], 1.0}}, view, off);
+        double known = 0; // the places before are, too
+        std::size_t chords = 1;
+        for (; chords < line.chords.size() && std::isfinite(line.chords[chords].places); ++chords)
+            known = line.points[chords].h[0] / line.points[chords].h[2];
+        EXPECT_GE(known, seen.right + (off > 0 ? farthest : 0));
+        EXPECT_LE(known, seen.right + (off > 0 ? farthest : 0) + 2 * l3d_longest_shared_chord);
+        EXPECT_LT(chords, 2 * known / l3d_longest_shared_chord + 1);
+        for (std::size_t i = chords; i < line.chords.size(); ++i)
+            EXPECT_FALSE(std::isfinite(line.chords[i].places)) << i;
+        EXPECT_LT(line.chords.size(), chords + 24) << "each is twice as long as the one before";
+    }
+}
+
+/// An edge goes to and fro beside the picture 100 000 times, in chords that are too long to be
+/// measured. Its strip, which reaches from the picture to there, is cut at each of them.
+TEST(shared_polyline, of_many_unknown_chords_has_a_strip) {
+    const l3d_dice_view view = view_of(0.25);
+    constexpr int spans = 200000;
+    const vector from{1.0, 0.0, 1.0}, to{2.0, 0.0, 1.0};
+    l3d_shared_edge edge{
+        .curve = l3d_nurbs_curve::polyline({from, to}), .spans = {}, .ends = {from, from}};
+    for (int i = 0; i < spans; i += 2) {
+        edge.spans.push_back({1.0 * i, i + 1.0, {{1.0, 0.0, 1.0, 1.0}, {2.0, 0.0, 1.0, 1.0}}});
+        edge.spans.push_back({i + 1.0, i + 2.0, {{2.0, 0.0, 1.0, 1.0}, {1.0, 0.0, 1.0, 1.0}}});
+    }
+    l3d_shared_polyline line;
+    line.make(edge, to_image(), view);
+    ASSERT_EQ(line.t.size(), spans + 1U);
+    EXPECT_FALSE(std::isfinite(line.chords[spans / 2].places));
+    l3d_diced_piece piece;
+    const auto border = [&](double x, double y, double t) {
+        return l3d_border_point{l3d_canonical_vertex({x, y, 1.0}, view), t};
+    };
+    l3d_add_strip(line, border(0, 0, 0), border(0, 50, spans), view, piece);
+    EXPECT_GT(piece.part.triangles.count, 100U);
+    EXPECT_FALSE(std::isfinite(piece.strips.places));
 }
 
 } // namespace

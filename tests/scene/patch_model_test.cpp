@@ -2,6 +2,7 @@
 // l3d_patch_model: from files, and why not.
 #include "scene/patch_model.h"
 
+#include "geom/files/model_file.h"
 #include "geom/teapot.h"
 #include "base/error.h"
 
@@ -46,6 +47,25 @@ TEST(patch_model, of_a_file_is_that_of_its_text) {
     ASSERT_EQ(model.patches().size(), 28u);
     for (std::size_t i = 0; i < 28; ++i)
         EXPECT_EQ(model.patches()[i].points, teapot.patches()[i].points);
+}
+
+TEST(patch_model, knows_the_faces_of_its_pieces_whatever_is_shown) {
+    l3d_model_file file;
+    for (int i = 0; i < 4; ++i) {
+        const double x = i;
+        file.patches.push_back({1, 1, {{x, 0, 0}, {x + 1, 0, 0}, {x, 1, 0}, {x + 1, 1, 0}}});
+    }
+    file.patch_parts = {{"left", 0}, {"right", 2}};
+    std::string why;
+    const auto of = [&] { return l3d_patch_model::from_file(file, "file", why).value(); };
+    EXPECT_EQ(of().face_of(3), 0U) << "the file numbers none";
+    file.patch_faces = {1, 1, 2, 7};
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(of().face_of(i), file.patch_faces[i]);
+    const l3d_patch_model right = of().only(std::array{std::size_t{1}});
+    ASSERT_EQ(right.pieces(), 2U);
+    EXPECT_EQ(right.face_of(0), 2U);
+    EXPECT_EQ(right.face_of(1), 7U);
 }
 
 TEST(patch_model, shows_hides_and_paints_the_parts_of_the_teapot) {

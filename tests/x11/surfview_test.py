@@ -6,6 +6,7 @@ import contextlib
 import itertools
 import json
 import os
+import re
 import shlex
 
 import harness
@@ -172,6 +173,33 @@ def audits_a_mesh():
             expect(messages.startswith("surfview: " + said), messages)
 
 
+def lists_edges_that_are_off():
+    """Hinges of two squares. The second one begins beside the first one's border, by 0 to 11 of 64."""
+    program = Program("surfview", (97, 73))
+
+    def off(hinge):
+        return 5 * hinge % 12 / 64
+
+    with folder() as path:
+        with open(os.path.join(path, "hinges.obj"), "w", encoding="ascii") as file:
+            file.write("vp 0 0\nvp 1 0\nvp 1 1\nvp 0 1\ncstype bspline\ndeg 1\n"
+                       "curv2 1 2 3 4 1\nparm u 0 0 1 2 3 4 4\nend\ncstype bezier\ndeg 1 1\n")
+            for i in range(12):
+                corners = [(0, 0, 0), (1, 0, 0), (0, 1, 0), (1, 1, 0), (0, 0, off(i)), (1, 0, off(i)), (0, 0, 1), (1, 0, 1)]
+                file.writelines("v %g %g %g\n" % (x, y + 2 * i, z) for x, y, z in corners)
+                for first in (1, 5):
+                    file.write("surf 0 1 0 1 %d %d %d %d\nparm u 0 1\nparm v 0 1\ntrim 0 4 1\nend\n" %
+                               tuple(8 * i + first + k for k in range(4)))
+                file.write("con %d 0 1 1 %d 0 1 1\n" % (2 * i + 1, 2 * i + 2))
+        command = program.command("--backend", "memory", "hinges.obj", "--list-edges")
+        status, out, _ = run(command, environment(), cwd=path)
+        expect_equal(status, 0)
+        told = re.sub("not [0-9.]+e-1[6-9],", "not 0,", out.decode())  # how exact the edge of con is
+        worst = sorted(range(12), key=lambda i: -off(i))[:10]
+        expect_equal(told, "".join("edge %d: off by %s, not 0, at 0,%d,0, piece %d, piece %d\n" %
+                                   (i + 1, off(i), 2 * i, 2 * i + 1, 2 * i + 2) for i in worst))
+
+
 def tells_how_far_a_file_is(key):
     """A window of its own before the model's: its name, a percentage, an end by Escape or by q."""
     points = 300000  # which the kernel reads for a second at least
@@ -194,7 +222,7 @@ def main():
         checks.run("surfview.%s.obeys_its_keys" % name, obeys_its_keys, name)
         checks.run("surfview.%s.obeys_the_mouse" % name, obeys_the_mouse, name)
     for check in (tells_a_view_that_is_seen_again, a_thousand_parts_stay_usable, refuses_what_is_no_section,
-                  audits_a_mesh):
+                  audits_a_mesh, lists_edges_that_are_off):
         checks.run("surfview." + check.__name__, check)
     for key in ("Escape", "q"):
         if os.path.exists(os.path.join(os.environ["L3D_BIN"], "..", "lib", "l3d", "libl3d_cad.so")):
