@@ -154,8 +154,8 @@ TEST(strip_error, is_finite_where_edge_and_border_leave_the_picture) {
     EXPECT_LT(piece.strips.depth, 0.5);
 }
 
-/// An edge from the middle of the picture to 200 000 px beside it: of a loose one, whose faces may
-/// be anywhere, chords are known as far as faces are looked for, and no farther.
+/// An edge goes from the middle of the picture to 200 000 px beside it. If it is loose, its faces
+/// may be anywhere. Its chords are known as far as faces are looked for, and no farther.
 TEST(shared_polyline, is_known_beside_the_picture_where_it_is_loose) {
     constexpr double farthest = 4096;
     const l3d_dice_view view = view_of(0.25);
