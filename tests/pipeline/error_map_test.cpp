@@ -7,6 +7,7 @@
 #include "words_of.h"
 
 #include "dice/certificate/frame_doubts.h"
+#include "geom/files/model_file.h"
 #include "pipeline/pipeline_afd.h"
 #include "raster/depth_buffer.h"
 #include "raster/rasterizer_factory.h"
@@ -390,6 +391,27 @@ TEST(error_map, does_not_cut_what_is_beside_the_eye) {
     const std::int64_t far_off = cuts_of(1e-3);
     EXPECT_GT(far_off, 1000);
     EXPECT_LT(cuts_of(1e-7), 2 * far_off);
+}
+
+/// A cap beside an exact patch. Nothing is known of the cap's light, however small its pieces are,
+/// and all is known of the patch, up to the pixels where both meet.
+TEST(error_map, does_not_cut_caps_whose_light_is_not_known) {
+    scene s({flat_patch({-8, -8, 0}, {8, 0, 0}, {0, 16, 0}),
+             flat_patch({0, -8, 0}, {8, 0, 0}, {0, 16, 0})},
+            {.eye = {0.1, 0.2, 4}, .target = {0.1, 0.2, 0}}, small);
+    const std::array errors{l3d_patch_error{0, false}, l3d_patch_error{0, true}};
+    s.model = s.model.standing_for(errors);
+    const l3d_error_map map = drawn(s, 0.25).map;
+    const double border = small.width / 2.0 - 0.1 / 4 * s.camera.focal_length(small);
+    for (int y = 0; y < small.height; ++y)
+        for (int x = 0; x < small.width; ++x) {
+            if (x + 1 < border) {
+                EXPECT_GT(map.at(x, y), 100) << x << ", " << y;
+            } else if (x > border) {
+                EXPECT_LT(map.at(x, y), 1) << x << ", " << y;
+            }
+        }
+    EXPECT_LT(doubts_of_grey(s, 200, 0.25).cuts(), 10 * small.width * small.height);
 }
 
 /// The map tells the error of any picture: a pixel that is painted over is farther off.

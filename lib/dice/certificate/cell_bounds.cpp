@@ -103,6 +103,19 @@ bool is_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell, const l3d_dice
     return false;
 }
 
+constexpr unsigned all_corners = 15;
+
+/// The bits of a cell's corners that a piece without any bound of its normals may reach.
+unsigned dark_corners_of(const l3d_doubt_leaf& leaf, const l3d_image_box& cell) {
+    if (leaf.piece.of->turned < infinite)
+        return 0;
+    const l3d_doubt_bounds& b = leaf.bounds;
+    return unsigned{b.may_show(cell.left, cell.top)} |
+           unsigned{b.may_show(cell.right, cell.top)} << 1 |
+           unsigned{b.may_show(cell.left, cell.bottom)} << 2 |
+           unsigned{b.may_show(cell.right, cell.bottom)} << 3;
+}
+
 } // namespace
 
 void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uint32_t> touching,
@@ -121,8 +134,8 @@ void l3d_cell_bounds::gather(const l3d_image_box& cell, std::span<const std::uin
         for (std::size_t k = 0; k < l3d_side_pairs::sides; ++k)
             sides |= p.reaches(k) ? 1U << k : 0U;
         pieces_.push_back(&leaf);
-        members_.push_back(
-            {b.box.intersected(cell), p.u0, p.u1, p.v0, p.v1, p.of, sides, b.facing, i});
+        members_.push_back({b.box.intersected(cell), p.u0, p.u1, p.v0, p.v1, p.of, sides, b.facing,
+                            i, dark_corners_of(leaf, cell)});
         joined_.add();
         sheets_.push_back(
             {.may_end = leaf.is_gone() || b.facing == 0 || b.may_be_missing || b.may_end_in(cell)});
@@ -176,17 +189,21 @@ bool l3d_cell_bounds::may_be_seen(std::size_t i, double farthest) const {
            members_[i].nearest <= farthest;
 }
 
-/// Finds the w beyond which everything is hidden, and marks the sheets that are seen. It is
-/// infinite where the background may be seen.
+/// Finds the w beyond which everything is hidden, and marks the sheets that are seen before it. It
+/// is infinite where the background may be seen. Notes whether smaller cells would tell more.
 double l3d_cell_bounds::farthest_seen() {
     double result = infinite;
     for (std::size_t i = 0; i < pieces_.size(); ++i)
         if (root_of(i) == i && sheets_[i].fills())
             result = std::min(result, sheets_[i].farthest);
+    unsigned dark = 0;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
         sheet& s = sheets_[root_of(i)];
-        s.is_seen = s.is_seen || may_be_seen(i, result);
+        const bool is_seen = may_be_seen(i, result);
+        s.is_seen = s.is_seen || is_seen;
+        dark |= is_seen ? members_[i].dark_corners : 0;
     }
+    is_hopeless_ = dark == all_corners;
     return result;
 }
 

@@ -43,6 +43,10 @@ public:
     /// them there, too.
     void mark_seen(std::vector<bool>& pieces) const;
 
+    /// Whether smaller cells than the one that was judged last hardly tell more: at each of its
+    /// corners, a piece may be seen of whose normals nothing is known.
+    bool is_hopeless() const { return is_hopeless_; }
+
     /// The facts about a piece that decide which others it meets.
     struct member {
         l3d_image_box part; ///< the part of the piece's box that lies in the cell
@@ -50,8 +54,9 @@ public:
         const l3d_doubt_patch* of;
         unsigned sides; ///< bits of the sides that it reaches
         int facing;
-        std::uint32_t index; ///< index among all pieces
-        double nearest = 0;  ///< least w in the cell
+        std::uint32_t index;   ///< index among all pieces
+        unsigned dark_corners; ///< bits of the cell's corners at which it may show any light
+        double nearest = 0;    ///< least w in the cell
     };
 
 private:
@@ -81,6 +86,7 @@ private:
     l3d_detail::directed_sets joined_; ///< which members form a sheet; directions do not count
     std::vector<sheet> sheets_;        ///< valid for roots
     std::size_t only_ = nowhere;       ///< the root of the sheet that is seen alone
+    bool is_hopeless_ = false;
 };
 
 #endif

@@ -267,7 +267,7 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
     if (c.of_drawing) {
         is_alone =
             judge_.is_drawn_alone(box.grown(view_->bound_px), touching, leaves_, view_->view);
-        if (is_alone || fineness_ == finest_drawing_) {
+        if (is_alone || fineness_ == finest_drawing_ || judge_.is_hopeless()) {
             pixel.unsure_drawn += is_alone ? 0 : part;
             c.of_drawing = false;
         } else {
@@ -288,7 +288,8 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
     pixel.unsure += c.unsure;
     pixel.covered += c.covered;
     const int finest = v.is_certain ? finest_surface : finest_contrast;
-    c.of_light = v.spread > std::ldexp(fine_levels, fineness_) && fineness_ < finest;
+    c.of_light = v.spread > std::ldexp(fine_levels, fineness_) && fineness_ < finest &&
+                 !judge_.is_hopeless();
     if (c.of_light)
         judge_.mark_seen(is_needed_);
 }
