@@ -9,8 +9,9 @@
 
 namespace l3d_detail {
 
-/// Disjoint sets of lines, numbered from 0. Each line runs in its set's direction or backwards. A
-/// set's representative is one of its lines, and has the set's direction.
+/// Disjoint sets of lines, numbered from 0, such as borders that are cut alike. Each line runs in
+/// its set's direction or backwards. A set's representative is one of its lines, and has the set's
+/// direction.
 class directed_sets {
 public:
     struct place {
@@ -31,7 +32,7 @@ public:
     /// Adds a line, in a set of its own.
     void add() { lines_.push_back({{lines_.size(), false}}); }
 
-    /// The representative of a line's set, and whether the line runs against it.
+    /// The representative of a line's set, and whether the line runs against the representative.
     /// Cost: logarithmic, as the smaller set always joins the larger one.
     place find(std::size_t line) const {
         place result{line, false};
@@ -42,8 +43,8 @@ public:
         return result;
     }
 
-    /// Unites the sets of two lines. The lines then run the same way, each reversed if its
-    /// `is_backwards` is set.
+    /// Unites the sets of two lines, so that the two lines run the same way. A line whose
+    /// `is_backwards` is set is reversed first.
     void join(const place& a, const place& b) {
         place root = find(a.line), other = find(b.line);
         const bool turns =
@@ -68,7 +69,8 @@ private:
     struct member {
         place above; ///< a line closer to the representative, or the representative itself
         std::size_t size = 1;
-        bool runs_both_ways = false; ///< like size, valid for representatives only
+        /// whether a line was joined to itself in reverse; as size, valid in representatives only
+        bool runs_both_ways = false;
     };
 
     std::vector<member> lines_;

@@ -18,7 +18,7 @@
 template <class T> struct L3D_PUBLIC l3d_plane_crossing {
     T t;             ///< 0 at the line's first point, 1 at the second; not restricted to these
     l3d_point<T> at; ///< the place itself
-    bool from_front; ///< the first point is in front
+    bool from_front; ///< whether the line's first point is in front of the plane
 };
 
 /// A plane with a front and a back: the points p with normal . p + d = 0. Points with a positive
@@ -140,12 +140,13 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
 
 /// Keeps the part of a convex polygon that is in front of a plane.
 ///
-/// A corner within `thickness` of the plane counts as on it: it is kept, and no edge is cut there.
-/// So a plane that passes through corners leaves no slivers.
-/// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
-///          the vertex where the edge between two vertices crosses the plane; its first argument is
-///          the one in front. If `cut` depends only on these two vertices, both polygons at an edge
-///          get the same cut, without a crack. `kept` is emptied, and gets the corners in order.
+/// A corner within `thickness` of the plane counts as on it: the corner is kept, and no edge is cut
+/// there. So a plane that passes through corners leaves no slivers.
+/// Shape:   side(vertex) gives the signed distance of a vertex from the plane, front positive.
+///          cut(front, behind) gives the index of the vertex where the edge between two vertices
+///          crosses the plane. If `cut` depends only on these two vertices, both polygons at an
+///          edge get the same cut, without a crack. `kept` is emptied, and gets the corners in
+///          order.
 /// Expects: at least one corner.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.
