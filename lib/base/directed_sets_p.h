@@ -69,7 +69,7 @@ private:
     struct member {
         place above; ///< a line closer to the representative, or the representative itself
         std::size_t size = 1;
-        /// whether a line was joined to itself in reverse; as size, valid in representatives only
+        /// Whether a line was joined to itself in reverse; as size, valid in representatives only.
         bool runs_both_ways = false;
     };
 

@@ -22,7 +22,7 @@
 struct L3D_PUBLIC l3d_mesh_picture {
     std::string name;       ///< the file's path, or the picture's place in the model's file
     std::string bytes{};    ///< contents, if the picture lies in the model's file
-    /// whether the picture repeats beyond 0 to 1 in u; else its border is continued
+    /// Whether the picture repeats beyond 0 to 1 in u; else its border is continued.
     bool repeats_u = true;
     bool repeats_v = true;  ///< whether the picture repeats beyond 0 to 1 in v
     bool mirrors_u = false; ///< whether every second repetition in u is mirrored
@@ -53,7 +53,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
 
     std::vector<vector> vertices;         ///< places in the model's own coordinates
     std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
-    /// per face, the index behind its last corner in `corners`
+    /// Per face, the index behind its last corner in `corners`.
     std::vector<std::uint32_t> face_ends;
 
     /// Normals: optional, one per vertex, of any length. A normal of zero stands for one that is
@@ -70,7 +70,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names of the materials
     std::vector<l3d_material> looks;           ///< optional, one per entry of `materials`: its look
-    /// named runs of faces: optional, in the order of their first faces
+    /// Named runs of faces: optional, in the order of their first faces.
     std::vector<l3d_part_run> parts;
 
     /// The number of faces.

@@ -65,7 +65,7 @@ struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
     static constexpr double unit_roundoff = 0;
     static constexpr double half_ulp =
         0.5 /
-        /// half of the step between neighbouring numbers
+        /// Half of the step between neighbouring numbers.
         static_cast<double>(std::uint64_t{1} << FractionBits);
 
     /// The nearest number of this type.

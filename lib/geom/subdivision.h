@@ -33,7 +33,7 @@ struct L3D_PUBLIC l3d_cage_tags {
     std::vector<crease> creases;         ///< sharp edges
     std::vector<corner> corners;         ///< sharp vertices
     std::vector<std::uint32_t> holes;    ///< indices of faces without a surface
-    /// whether a boundary's corners are sharp; nothing if the file does not say
+    /// Whether a boundary's corners are sharp; nothing if the file does not say.
     std::optional<bool> keeps_corners{};
 
     friend bool operator==(const l3d_cage_tags&, const l3d_cage_tags&) = default;

@@ -30,22 +30,24 @@ struct subdivision_cage {
     const std::uint32_t* hole_faces; ///< faces without patches
     std::uint32_t keeps_corners;     ///< 1 if corners of boundaries are sharp, else 0
     double wanted_error;             ///< the wanted bound of the distance from the limit surface
-    std::uint64_t most_patches;      ///< beyond this number the error grows instead
+    /// The largest number of patches; beyond it, the error grows instead.
+    std::uint64_t most_patches;
 };
 
 /// The receiver of patches.
 struct subdivision_sink {
     void* to;
-    /// Takes a patch: 16 control points, x, y and z of each, u fastest. `face` is its face of the
-    /// cage. The normal dS/du x dS/dv points to the side from which the face's corners run
+    /// Takes a patch: 16 control points, x, y and z of each, u fastest. `face` is the patch's face
+    /// of the cage. The normal dS/du x dS/dv points to the side from which the face's corners run
     /// counterclockwise. `error` bounds the distance from the limit surface at the same parameters.
-    /// It also bounds that of control points, unless the patch is a cap, which is not exact.
+    /// It also bounds the distance of control points, unless the patch is a cap, which is not
+    /// exact.
     void (*take)(void* to, std::uint32_t face, const double* points, double error,
                  std::uint32_t is_cap);
     void (*fail)(void* to, const char* why);
 };
 
-/// The error that was reached, and the effort.
+/// The error that the patches have, and the effort.
 struct subdivision_outcome {
     double error;         ///< bound of the patches' distance from the limit surface
     std::uint32_t levels; ///< subdivisions around the irregular vertices
