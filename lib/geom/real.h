@@ -61,12 +61,11 @@ template <class Storage, int FractionBits, l3d_overflow Overflow>
 struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
     /// The number type itself.
     using fixed = l3d_fixed<Storage, FractionBits, Overflow>;
-    /// 0: the bound does not depend on the result's size
+    /// Largest relative error: 0, since the bound of an error does not depend on the result's size.
     static constexpr double unit_roundoff = 0;
+    /// Half of the step between neighbouring numbers.
     static constexpr double half_ulp =
-        0.5 /
-        /// Half of the step between neighbouring numbers.
-        static_cast<double>(std::uint64_t{1} << FractionBits);
+        0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);
 
     /// The nearest number of this type.
     static constexpr fixed from_double(double value) noexcept { return fixed(value); }

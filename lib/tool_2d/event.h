@@ -42,7 +42,7 @@ enum class L3D_PUBLIC l3d_event_type {
     /// A button of the mouse came up.
     button_release,
     /// The pointer moved while a button was held, or at any time if l3d_screen::set_pointer asked
-    /// for that.
+    /// for all motion.
     pointer_motion,
     /// The wheel turned.
     wheel,
@@ -54,7 +54,8 @@ enum class L3D_PUBLIC l3d_event_type {
     hide,
     /// Part of the window can be seen again. If it lost its picture, expose follows.
     reveal,
-    /// The user wants the window to cover the whole display, or to end that: F11, Alt+Enter.
+    /// The user wants the window to cover the whole display, or to cover it no longer: F11,
+    /// Alt+Enter.
     fullscreen,
     /// The user wants the end, or somebody destroyed the window.
     close,
@@ -121,8 +122,8 @@ public:
     /// Takes the next pending event without waiting; false if there is none.
     bool next_event(l3d_event& event) { return do_next_event(event); }
 
-    /// Sleeps until an event is pending or the time is over, whichever is first. It may wake up
-    /// earlier. Data to read from the file descriptor `waker` wakes it, too; -1 stands for no file.
+    /// Sleeps until an event is pending or the time is over, whichever is first. The sleep may end
+    /// earlier. Data to read from the file descriptor `waker` ends it, too; -1 stands for no file.
     void wait(std::chrono::nanoseconds longest, int waker = -1) { do_wait(longest, waker); }
 
 private:

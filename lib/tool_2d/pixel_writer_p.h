@@ -51,7 +51,7 @@ public:
     /// Widens a part, within the picture, to whole columns of the dither's 8 x 8 squares.
     static l3d_pixel_box writable_part(const l3d_pixel_box& part, l3d_size size);
 
-    /// The native pixels that show a part.
+    /// The box of native pixels that shows a part of the picture.
     l3d_pixel_box native_part(const l3d_pixel_box& part, l3d_size native) const {
         return part.scaled(scale_).intersected(l3d_whole(native));
     }

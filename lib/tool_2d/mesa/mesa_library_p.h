@@ -17,7 +17,7 @@ public:
     /// Loads the first of the names that can be loaded; its symbols stay local.
     explicit mesa_library(std::initializer_list<const char*> names);
 
-    /// Why none was loaded, in one line; empty if one was.
+    /// The reason why no library was loaded, in one line; empty if one was.
     const std::string& problem() const { return problem_; }
 
     /// The address of a symbol. Errors: null if there is no such symbol, or no library.

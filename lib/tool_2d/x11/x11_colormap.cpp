@@ -50,7 +50,7 @@ std::optional<l3d_palette> palette_of_shape(const palette_shape& shape,
     return shape.palette(std::move(pixels), deviation);
 }
 
-// The fewest bits of a channel that need no dithering. Fewer show steps in every shaded surface.
+// The fewest bits of a channel for which masks are used. A palette replaces masks of fewer bits.
 constexpr int undithered_bits = 5;
 
 // Levels wanted in a shared map, and the fewest that are better than a map of our own. A cube of

@@ -50,7 +50,7 @@ inline std::size_t ximage_size(const XImage& image) {
     return ximage_row_size(image) * static_cast<std::size_t>(image.height);
 }
 
-/// The buffers in which the pictures of one window travel, for one size of it.
+/// The buffers in which the pictures of one window travel, for one size of the window.
 class x11_image {
 public:
     using time_point = std::chrono::steady_clock::time_point;

@@ -48,7 +48,8 @@ private:
     std::vector<l3d_pixel_box> take_row(int row, std::int64_t most, std::int64_t& taken);
 
     int columns_, rows_;
-    std::vector<l3d_pixel_box> boxes_; ///< the box of each tile; empty where nothing is
+    /// The box of each tile; empty if no pixel of the tile is in the set.
+    std::vector<l3d_pixel_box> boxes_;
     std::int64_t pixels_ = 0;
 };
 

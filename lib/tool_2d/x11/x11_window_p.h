@@ -22,7 +22,7 @@ struct x11_atoms {
     Atom utf8_string = 0;
 };
 
-/// Owns connection, colormap, window and graphics context.
+/// A window on the display. Owns its connection, colormap and graphics context.
 class x11_window {
 public:
     /// Makes a window that is not on the screen yet.
@@ -45,7 +45,7 @@ public:
     const l3d_screen_info& info() const { return colormap_->info(); }
     const x11_colormap& colormap() const { return *colormap_; }
 
-    /// The side, in display pixels, of the square that shows a pixel of ours.
+    /// The side, in display pixels, of the square that shows a pixel of our pictures.
     int scale() const { return scale_; }
 
     /// Notes the display's fineness, as x11_fineness gives it. Returns whether text_scale()
@@ -62,7 +62,7 @@ public:
         return {ours(native.width + scale_ - 1), ours(native.height + scale_ - 1)};
     }
 
-    /// Whether a window manager looked after this display's windows when this one was made.
+    /// Whether a window manager looked after the display's windows when this window was made.
     bool was_managed() const { return managed_; }
 
     void map() { XMapWindow(display(), window_); }
