@@ -111,8 +111,8 @@ public:
         return has_room_for(shape) ? share(shape, true) : std::nullopt;
     }
 
-    /// The palette of a shape. Where the map has no room, it has other programs' cells of near
-    /// colours.
+    /// The palette of a shape. Where the map has no room, the palette has other programs' cells of
+    /// near colours.
     /// Errors:  nothing, and then no cell stays taken.
     std::optional<l3d_palette> share_nearly(const palette_shape& shape) {
         return share(shape, false);
