@@ -20,8 +20,8 @@
 
 /// A picture that a material names, to be laid on faces.
 struct L3D_PUBLIC l3d_mesh_picture {
-    std::string name;       ///< the file's path, or the picture's place in the model's file
-    std::string bytes{};    ///< contents, if the picture lies in the model's file
+    std::string name;    ///< the file's path, or the picture's place in the model's file
+    std::string bytes{}; ///< contents, if the picture lies in the model's file
     /// Whether the picture repeats beyond 0 to 1 in u; else its border is continued.
     bool repeats_u = true;
     bool repeats_v = true;  ///< whether the picture repeats beyond 0 to 1 in v
@@ -51,8 +51,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// bottom right one.
     using picture_place = std::array<float, 2>;
 
-    std::vector<vector> vertices;         ///< places in the model's own coordinates
-    std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
+    std::vector<vector> vertices;       ///< places in the model's own coordinates
+    std::vector<std::uint32_t> corners; ///< vertex indices, face after face
     /// Per face, the index behind its last corner in `corners`.
     std::vector<std::uint32_t> face_ends;
 

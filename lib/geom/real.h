@@ -64,8 +64,7 @@ struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
     /// Largest relative error: 0, since the bound of an error does not depend on the result's size.
     static constexpr double unit_roundoff = 0;
     /// Half of the step between neighbouring numbers.
-    static constexpr double half_ulp =
-        0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);
+    static constexpr double half_ulp = 0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);
 
     /// The nearest number of this type.
     static constexpr fixed from_double(double value) noexcept { return fixed(value); }

@@ -30,9 +30,9 @@ struct L3D_PUBLIC l3d_cage_tags {
 
         friend bool operator==(const corner&, const corner&) = default;
     };
-    std::vector<crease> creases;         ///< sharp edges
-    std::vector<corner> corners;         ///< sharp vertices
-    std::vector<std::uint32_t> holes;    ///< indices of faces without a surface
+    std::vector<crease> creases;      ///< sharp edges
+    std::vector<corner> corners;      ///< sharp vertices
+    std::vector<std::uint32_t> holes; ///< indices of faces without a surface
     /// Whether a boundary's corners are sharp; nothing if the file does not say.
     std::optional<bool> keeps_corners{};
 

@@ -100,8 +100,8 @@ inline constexpr std::uint32_t l3d_material_of_place = 0xffffffff;
 
 /// A shape at a place, such as one of the bolts of an assembly.
 struct L3D_PUBLIC l3d_model_placement {
-    std::string name;                                  ///< name of the part that stands here
-    std::uint32_t shape = 0;                           ///< index in l3d_model_file::shapes
+    std::string name;        ///< name of the part that stands here
+    std::uint32_t shape = 0; ///< index in l3d_model_file::shapes
     /// From the shape's coordinates to the model's; affine.
     l3d_matrix<double> place = l3d_identity<double>();
     std::uint32_t material = 0; ///< the material that replaces l3d_material_of_place in the shape

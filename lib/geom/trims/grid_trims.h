@@ -46,7 +46,7 @@ public:
     struct grid_side {
         /// The grid's lines at its beginning and its end.
         std::uint32_t row, column, end_row, end_column;
-        std::uint32_t quad_row, quad_column;            ///< the quad beside it
+        std::uint32_t quad_row, quad_column; ///< the quad beside it
         l3d_trim_place from, to;
         l3d_trim_use use;
     };
@@ -63,7 +63,7 @@ public:
 
     /// The memory in which make() works, which a user keeps for many grids.
     struct workshop {
-        l3d_trim_triangles quad;                          ///< the quad that is cut
+        l3d_trim_triangles quad;            ///< the quad that is cut
         std::vector<l3d_trim_place> places; ///< the corners of the quad's triangles, in order
         /// The parts of the quad's sides within the grid.
         std::vector<std::array<l3d_trim_place, 2>> inner;
