@@ -9,11 +9,12 @@
 
 namespace l3d_detail {
 
-/// Disjoint sets of lines, numbered from 0, such as borders that are cut alike. Each line runs in
-/// its set's direction or backwards. A set's representative is one of its lines, and has the set's
-/// direction.
+/// Disjoint sets of lines, such as borders that are cut alike. Lines are numbered from 0. Each line
+/// runs in its set's direction or backwards. A set's representative is one of its lines, and has
+/// the set's direction.
 class directed_sets {
 public:
+    /// A line, and whether it is taken in reverse.
     struct place {
         std::size_t line;
         bool is_backwards;
@@ -61,8 +62,8 @@ public:
         smaller.above = {root.line, turns};
     }
 
-    /// Whether some line was joined to itself in reverse, as on a Moebius band.
-    /// Expects: a representative.
+    /// Whether some line of a set was joined to itself in reverse, as on a Moebius band.
+    /// Expects: the set's representative.
     bool runs_both_ways(std::size_t line) const { return lines_[line].runs_both_ways; }
 
 private:

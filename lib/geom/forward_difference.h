@@ -30,7 +30,7 @@ template <class T, int Degree> struct l3d_forward_difference {
     ///
     /// Let c1, c2, c3 be the power coefficients divided by n, n^2, n^3, where n is the number of
     /// steps. The first difference is f(h) - f(0) = c1 + c2 + c3, the second 2 c2 + 6 c3, and the
-    /// third 6 c3. They are computed in double, and each is rounded to T once.
+    /// third 6 c3. The differences are computed in double, and each is rounded to T once.
     /// Expects: steps >= 1.
     static l3d_forward_difference build(const std::array<double, 4>& b, int steps) {
         assert(steps >= 1);

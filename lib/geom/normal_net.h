@@ -33,10 +33,10 @@ private:
 /// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
 ///
 /// Where an edge of the patch is collapsed, the cross product vanishes along it although the
-/// tangent plane exists. The net then holds the cross product divided by the vanishing factor u, 1
-/// - u, v or 1 - v, as often as needed. The quotient has the cross product's direction inside the
-/// patch, and the limit of that direction on the edge. If the normal vanishes everywhere, as far as
-/// rounding can tell, the net is 0.
+/// tangent plane exists. The net then holds the cross product divided by the vanishing factor, as
+/// often as needed; it is u, 1 - u, v or 1 - v. The quotient has the cross product's direction
+/// inside the patch, and the limit of that direction on the edge. If the normal vanishes
+/// everywhere, as far as rounding can tell, the net is 0.
 ///
 /// Shape:  36 vectors, index 6 * row + column, columns along u.
 /// Units:  scaled so that the largest component is 1 (direction is all that counts).

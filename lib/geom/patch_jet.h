@@ -7,13 +7,14 @@
 
 #include <optional>
 
-/// A point of a patch and its first derivatives.
+/// A point of a patch and its first derivatives, which give the patch's normal there.
 struct l3d_patch_place {
     using vector = l3d_vector<double, 3>;
     vector point, along_u, along_v;
 };
 
-/// A point of a patch, with its first and second derivatives.
+/// A point of a patch, with its first and second derivatives, which give the patch's curvature
+/// there.
 struct l3d_patch_jet : l3d_patch_place {
     vector along_uu, along_uv, along_vv;
 };

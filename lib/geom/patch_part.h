@@ -19,7 +19,8 @@ struct l3d_patch_part {
     int depth = 0; ///< the number of cuts that led to this part from the whole patch
 };
 
-/// A part of a patch, with the polynomial of the patch's normals over it.
+/// A part of a patch, with the polynomial of the patch's normals over it, for searches that need
+/// both.
 struct l3d_exact_part : l3d_patch_part {
     l3d_normal_polynomial normals;
 };

@@ -51,16 +51,17 @@ template <class T> struct L3D_PUBLIC l3d_plane {
         return through(p0, sine);
     }
 
-    /// The same points with front and back exchanged.
+    /// The same plane with front and back exchanged.
     l3d_plane flipped() const noexcept { return {-normal, -d}; }
 
-    /// The distance to the plane, negative behind it.
+    /// The distance of a point from the plane, negative behind it.
     T side_of_point(const l3d_point<T>& p) const noexcept {
         return l3d_dot(normal, p.from_origin) + d;
     }
 
     /// The place where the line through two points crosses the plane.
-    /// Errors:  nothing if the line is parallel: both points have the same distance in T.
+    /// Errors:  nothing if the line is parallel to the plane: both points have the same distance in
+    ///          T.
     std::optional<l3d_plane_crossing<T>> crossing(const l3d_point<T>& p0,
                                                   const l3d_point<T>& p1) const noexcept {
         const T side0 = side_of_point(p0);

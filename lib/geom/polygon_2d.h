@@ -55,7 +55,7 @@ public:
     /// The items of the fixed part.
     std::span<const Item> fixed() const { return {items_.data(), fixed_size_}; }
 
-    /// Adds to the varying part; returns the item's index.
+    /// Adds an item to the varying part, and returns its index.
     std::uint32_t add_varying(const Item& item) {
         items_.push_back(item);
         return static_cast<std::uint32_t>(items_.size() - 1);

@@ -160,10 +160,10 @@ constexpr double l3d_balanced_error(int n) {
     return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
 }
 
-/// By what factor coordinates of balanced vertices may exceed the net's, if each quarter of the
-/// patch has at least two steps. Then h is at most 1/8. Vertices move by at most l3d_balance / 64
-/// times second derivatives, along u and along v, and by both. These derivatives are at most 6 * 4
-/// times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
+/// The factor by which coordinates of balanced vertices may exceed the net's, if each quarter of
+/// the patch has at least two steps. Then h is at most 1/8. Vertices move by at most l3d_balance /
+/// 64 times second derivatives, along u and along v, and by both. These derivatives are at most 6 *
+/// 4 times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
 inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 
 /// The curve f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.

@@ -257,8 +257,8 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
 }
 
 /// Makes the axes of m, its first three columns, unit vectors at right angles. This undoes the
-/// rounding of long products of turns. The first axis keeps its direction. The second stays in the
-/// plane of both. Column 3, the origin, and row 3 stay.
+/// rounding of long products of turns. The first axis keeps its direction. The second axis stays in
+/// the plane of the first two. Column 3, the origin, and row 3 stay.
 ///
 /// Errors:  nothing if the axes lie in a plane, or so near to it that rounding decides.
 /// Cost:    in double for every T, then rounded.
