@@ -17,7 +17,7 @@ namespace l3d_detail {
 /// The version of cad_plugin and of its records.
 inline constexpr std::uint32_t cad_version = 2;
 
-/// The interface of the plug-in libl3d_cad.so.
+/// The interface of the plug-in libl3d_cad.so, which reads STEP and IGES files.
 struct cad_plugin : plugin_interface {
     /// Reads the text of a STEP or an IGES file, and passes its surfaces as records to take(to,
     /// bytes, size), piece by piece. Lengths are in millimetres. A few times a second it calls
@@ -43,7 +43,7 @@ enum class cad_record : std::uint64_t {
     /// Shape, name, material as `material` has it, and three rows of a 3 by 4 matrix: a place where
     /// the shape stands.
     place,
-    edge,  ///< tolerance, curve: edges count from 0
+    edge,  ///< tolerance, curve: an edge; edges count from 0
     curve, ///< curve: a line in space that bounds no face
     /// Degree along u, knots, degree along v, knots, points of x, y, z and weight, u fastest;
     /// number of loops. Each loop is the number of its curves, and the curves. A curve of a loop

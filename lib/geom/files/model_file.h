@@ -26,20 +26,20 @@ enum class L3D_PUBLIC l3d_model_format {
     obj,        ///< Wavefront: polygons, Bezier and B-spline surfaces, curves
     off,        ///< geomview's polygons, text or binary
     ply,        ///< Stanford's polygons, text or binary of either byte order
-    videoscape, ///< 3DG1
+    videoscape, ///< Videoscape's polygons, 3DG1
     bpt,        ///< Bezier patches, each with its degrees
     bez,        ///< geomview's patches, BEZ and BBP, text or binary
     stl,        ///< triangles, text or binary
     gltf,       ///< glTF 2.0: JSON or its container, .glb
-    grid,       ///< a grid of heights
-    step,       ///< ISO 10303-21, by a plug-in
+    grid,       ///< a grid of heights, in the text form of geographic programs
+    step,       ///< STEP, ISO 10303-21, by a plug-in
     iges,       ///< Initial Graphics Exchange Specification, by a plug-in
 };
 
 /// A file of materials that a model file names.
 struct L3D_PUBLIC l3d_material_file {
-    std::string name;     ///< its path as the model names it, from the model's own folder
-    std::size_t line = 0; ///< the line that names it
+    std::string name;     ///< the file's path as the model names it, from the model's own folder
+    std::size_t line = 0; ///< the model's line that names the file
 
     /// Whether the names are equal; lines make no difference.
     friend bool operator==(const l3d_material_file& a, const l3d_material_file& b) {
@@ -61,7 +61,7 @@ struct L3D_PUBLIC l3d_model_camera {
     using vector = l3d_vector<double, 3>;
     std::string name{};           ///< the camera's name in the file
     vector eye{0.0, 0.0, 1.0};    ///< where the picture is taken from
-    vector target{0.0, 0.0, 0.0}; ///< the point that it looks at; not equal to eye
+    vector target{0.0, 0.0, 0.0}; ///< the point that the camera looks at; not equal to eye
     vector up{0.0, 1.0, 0.0};     ///< the direction that points up in the picture
     double fov = 38;              ///< angle of view over the picture's width, in degrees
 
@@ -100,9 +100,9 @@ inline constexpr std::uint32_t l3d_material_of_place = 0xffffffff;
 
 /// A shape at a place, such as one of the bolts of an assembly.
 struct L3D_PUBLIC l3d_model_placement {
-    std::string name;        ///< name of the part that stands here
+    std::string name;        ///< name of the part that stands at the place
     std::uint32_t shape = 0; ///< index in l3d_model_file::shapes
-    /// From the shape's coordinates to the model's; affine.
+    /// The map from the shape's coordinates to the model's, which is affine.
     l3d_matrix<double> place = l3d_identity<double>();
     std::uint32_t material = 0; ///< the material that replaces l3d_material_of_place in the shape
 
@@ -114,7 +114,7 @@ struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
-    /// Optional, one per patch: the index of its material in mesh.materials.
+    /// Optional, one per patch: the index of the patch's material in mesh.materials.
     std::vector<std::uint32_t> patch_materials{};
     std::vector<l3d_material_file> material_files{}; ///< files with looks of the mesh's materials
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
@@ -125,7 +125,7 @@ struct L3D_PUBLIC l3d_model_file {
     std::optional<l3d_model_window> viewport{};
     std::vector<l3d_model_camera> cameras{}; ///< cameras, which .asc has
     std::vector<l3d_nurbs_curve> curves{};   ///< lines and curves in space: `l` and `curv` of .obj
-    /// Optional, one per curve: the index of its material in mesh.materials.
+    /// Optional, one per curve: the index of the curve's material in mesh.materials.
     std::vector<std::uint32_t> curve_materials{};
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
     l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
@@ -187,7 +187,7 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
     l3d_read_obj,                         ///< Wavefront
     l3d_read_off,                         ///< geomview's polygons
     l3d_read_ply,                         ///< Stanford's polygons
-    l3d_read_videoscape,                  ///< 3DG1
+    l3d_read_videoscape,                  ///< Videoscape's polygons, 3DG1
     l3d_read_bez,                         ///< geomview's patches
     l3d_read_stl,                         ///< triangles
     l3d_read_grid,                        ///< a grid of heights, as patches
@@ -204,7 +204,7 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, st
 /// A material of a materials file: its name and look.
 struct L3D_PUBLIC l3d_named_material {
     std::string name;  ///< the name that faces and patches use
-    l3d_material look; ///< its colour, highlights and opacity
+    l3d_material look; ///< the material's colour, highlights and opacity
     /// The picture laid on surfaces of this material, as the file names it; none if the picture's
     /// name is empty.
     l3d_mesh_picture picture{};

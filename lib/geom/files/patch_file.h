@@ -129,8 +129,8 @@ struct L3D_PUBLIC l3d_height_field {
 /// there: the surface is C1. Its normals dS/du x dS/dv point upwards.
 /// Errors:  throws l3d_error(bad_input) with the text of complaint().
 /// Source:  Catmull and Rom, A class of local interpolating splines, 1974: the slope at a height is
-///          half of the difference between its neighbours. At a border or beside a missing height
-///          it is the whole difference on the other side.
+///          half of the difference between its neighbours. At a border or beside a missing height,
+///          the slope is the whole difference on the other side.
 L3D_PUBLIC std::vector<l3d_patch_points> l3d_height_patches(const l3d_height_field& field);
 
 #endif

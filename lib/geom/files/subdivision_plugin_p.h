@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// The cage of a Catmull-Clark surface.
+/// The cage of a Catmull-Clark surface, from which the plug-in makes patches.
 ///
 /// Expects: a manifold whose faces all turn the same way, without a vertex twice in a face; each
 ///          crease is an edge of the cage.
@@ -17,7 +17,7 @@ struct subdivision_cage {
     std::uint32_t vertices;
     const double* places; ///< x, y, z of each vertex
     std::uint32_t faces;
-    const std::uint32_t* face_ends; ///< per face, the end of its corners in `corners`
+    const std::uint32_t* face_ends; ///< per face, the index behind its last corner in `corners`
     const std::uint32_t* corners;
     std::uint32_t creases;
     const std::uint32_t* crease_vertices; ///< two for each crease
@@ -47,14 +47,14 @@ struct subdivision_sink {
     void (*fail)(void* to, const char* why);
 };
 
-/// The error that the patches have, and the effort.
+/// The result of subdivide(): the error of the patches, and the effort.
 struct subdivision_outcome {
     double error;         ///< bound of the patches' distance from the limit surface
     std::uint32_t levels; ///< subdivisions around the irregular vertices
     std::uint32_t caps;   ///< patches that are not exact
 };
 
-/// The plug-in's symbol, l3d_subdivision_plugin.
+/// The interface of the plug-in libl3d_subdivision.so, its symbol l3d_subdivision_plugin.
 struct subdivision_plugin : plugin_interface {
     /// Makes patches within the wanted error of the limit surface, face by face. Neighbours meet
     /// bit for bit: their boundary control points are the same, or halve the same curve.

@@ -92,7 +92,7 @@ public:
     /// The polynomial 0, of degree of_m along u and of_n along v.
     scaled_net(int of_m, int of_n)
         : m(of_m), n(of_n), c_(static_cast<std::size_t>((of_n + 1) * stride() + taps - 1)) {}
-    /// A polynomial of one coordinate of a net's coefficients: of(coefficient) selects it.
+    /// The polynomial of one coordinate of a net: of(coefficient) selects the coordinate.
     template <class V, class Coordinate>
     scaled_net(const net<V>& whole, const Coordinate& of) : scaled_net(whole.m, whole.n) {
         for (int r = 0; r <= n; ++r)

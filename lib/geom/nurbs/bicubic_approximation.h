@@ -24,8 +24,8 @@ struct l3d_rational_piece {
     /// Bounds of rounding in any point: `noise` in a coordinate, `weight_noise` in the weight.
     double noise = 0, weight_noise = 0;
 
-    /// Expects: degrees from 1 to 15, as many points as these ask for, weights that l3d_is_weight
-    ///          accepts.
+    /// Expects: degrees from 1 to 15, as many points as the degrees ask for, weights that
+    ///          l3d_is_weight accepts.
     explicit l3d_rational_piece(const l3d_patch_points& patch);
 
     const point& at(int row, int column) const {

@@ -44,9 +44,9 @@ public:
     /// A side of a quad that lies inside the region. The side is on the region's border, and
     /// follows an edge of the model.
     struct grid_side {
-        /// The grid's lines at its beginning and its end.
+        /// The grid's lines at the side's beginning and at its end.
         std::uint32_t row, column, end_row, end_column;
-        std::uint32_t quad_row, quad_column; ///< the quad beside it
+        std::uint32_t quad_row, quad_column; ///< the quad beside this side
         l3d_trim_place from, to;
         l3d_trim_use use;
     };

@@ -27,8 +27,8 @@ struct l3d_trapezoid {
 /// sides, neighbours have corners of their own.
 ///
 /// Polygons may cross themselves and each other.
-/// Cost: time in proportion to the number of corners times that of the sides that one line of equal
-///       v meets. Memory is kept for reuse.
+/// Cost: time in proportion to the number of corners, times the number of sides that a line of
+///       equal v meets. Memory is kept for reuse.
 class l3d_trapezoids {
 public:
     /// Calls visit(l3d_trapezoid) for each trapezoid of a region.

@@ -95,9 +95,9 @@ struct l3d_flatness {
     double off = 0;   ///< the largest distance, without chords where an infinite one was wanted
     double share = 0; ///< the largest ratio of a distance to the one that was wanted at its place
 };
-/// Turns loops into polygons as above, but each part of a curve has a wanted distance of its own:
-/// wanted(box) gives it for the part in a box. Where it is infinite, the part becomes one chord,
-/// whose distance does not count.
+/// Turns loops into polygons as the function above does, but each part of a curve has a wanted
+/// distance of its own: wanted(box) gives it for the part in a box. Where it is infinite, the part
+/// becomes one chord, whose distance does not count.
 l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                             const std::function<double(const l3d_trim_box&)>& wanted,
                             l3d_trim_region& to);

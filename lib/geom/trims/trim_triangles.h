@@ -53,7 +53,8 @@ private:
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// A trapezoid whose low and whose high side have two corners each; both may be the same point.
+    /// A trapezoid with two corners on its low side and two on its high side; either two may
+    /// coincide.
     struct layer {
         std::array<l3d_trim_place, 2> low, high; ///< the left and the right corner
         std::array<l3d_trim_use, 2> use; ///< edges that the left and the right side follow, upwards
