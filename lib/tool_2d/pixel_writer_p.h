@@ -48,7 +48,8 @@ public:
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,
                    std::uint8_t* bytes) const;
 
-    /// Widens a part, within the picture, to whole columns of the dither's 8 x 8 squares.
+    /// Widens a part, within the picture, to whole columns of the dither's 8 x 8 squares, for
+    /// write().
     static l3d_pixel_box writable_part(const l3d_pixel_box& part, l3d_size size);
 
     /// The box of native pixels that shows a part of the picture.

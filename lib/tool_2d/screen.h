@@ -67,8 +67,8 @@ public:
             do_show(inside);
     }
 
-    /// Whether the last picture shown has not reached the display yet. Another one would only take
-    /// its place.
+    /// Whether the last picture shown has not reached the display yet. Another picture would only
+    /// take its place.
     bool is_busy() const { return do_is_busy(); }
 
     /// Whether a close event has come that next_event has not yet given. Unlike next_event, it may
@@ -106,16 +106,18 @@ public:
     /// Whether the window covers the whole display.
     bool is_fullscreen() const { return do_is_fullscreen(); }
 
-    /// One line for --verbose and --diagnose: kind, depth, bits per pixel, byte order.
+    /// Describes the screen in one line for --verbose and --diagnose: kind, depth, bits per pixel,
+    /// byte order.
     std::string describe() const { return do_describe(); }
 
-    /// One line for the user if something has become worse since the last call; else empty.
+    /// Gives one line for the user if something has become worse since the last call; else an empty
+    /// text.
     std::string take_remark() { return do_take_remark(); }
 
 private:
     virtual l3d_pixels do_pixels() = 0;
     virtual const l3d_screen_info& do_info() const = 0;
-    /// Expects: the part is not empty and lies in the picture.
+    /// Shows a part of the pixels. Expects: the part is not empty and lies in the picture.
     virtual void do_show(const l3d_pixel_box& part) = 0;
     virtual bool do_is_busy() const { return false; }
     virtual bool do_is_to_close() { return false; }
@@ -156,7 +158,7 @@ struct L3D_PUBLIC l3d_screen_request {
 
 /// How well a kind of screen can serve here and now.
 struct L3D_PUBLIC l3d_service {
-    /// How well, from best to worst.
+    /// How well the kind of screen serves, from best to worst.
     enum class level {
         fully,        ///< it serves as its name says
         partly,       ///< it serves, but in another way than its name says

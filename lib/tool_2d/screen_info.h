@@ -42,7 +42,7 @@ struct L3D_PUBLIC l3d_pixel_layout {
     int scanline_pad = 32; ///< bits; every row starts at a multiple of this number
     l3d_color_class color_class = l3d_color_class::true_color; ///< how colours are found
 
-    /// One phrase: class, depth, bits per pixel, byte order, masks.
+    /// Describes the layout in one phrase: class, depth, bits per pixel, byte order, masks.
     std::string describe() const;
 
     friend bool operator==(const l3d_pixel_layout&, const l3d_pixel_layout&) = default;
@@ -112,7 +112,7 @@ public:
     /// Whether a pixel word, as this machine stores it, already is the native pixel.
     bool native_is_word() const;
 
-    /// One phrase: the layout, and the palette if there is one.
+    /// Describes the format in one phrase: the layout, and the palette if there is one.
     std::string describe() const;
 
     /// Darkens a word's colour: multiplies each channel by intensity / 255, and rounds to nearest.

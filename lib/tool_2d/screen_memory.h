@@ -21,7 +21,7 @@ class pixel_writer;
 /// Lives:   borrows the bytes.
 struct L3D_PUBLIC l3d_packed_pixels {
     std::uint8_t* bytes = nullptr; ///< the first byte of the top row
-    l3d_size size{};               ///< in pixels
+    l3d_size size{};               ///< width and height, in pixels
     std::ptrdiff_t pitch = 0;      ///< bytes from one row to the next
     l3d_pixel_layout layout{}; ///< 8, 16, 24 or 32 bits for each pixel, and the masks of colours
 };

@@ -23,7 +23,7 @@ public:
     /// The address of a symbol. Errors: null if there is no such symbol, or no library.
     void* find(const char* name) const;
 
-    /// Finds a function by name. Errors: false if there is none.
+    /// Sets `function` to the function of this name. Errors: false if there is none.
     template <class Function> bool find(Function*& function, const char* name) const {
         function = reinterpret_cast<Function*>(find(name));
         return function != nullptr;

@@ -19,8 +19,8 @@ public:
     /// Makes this the context of this thread's GL calls. Errors: false if the library refuses.
     bool make_current() { return do_make_current(); }
 
-    /// The address of a GL call. Errors: for other names, null or a pointer that must not be
-    /// called.
+    /// The address of a GL call. Errors: for a name of no GL call, null or a pointer that must not
+    /// be called.
     void* find(const char* name) { return do_find(name); }
 
 private:

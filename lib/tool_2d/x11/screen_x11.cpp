@@ -106,7 +106,7 @@ private:
     void tell_shown();
     void look_around();
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
-    /// Whether the program can have an event. A key about fullscreen waits if earlier news about
+    /// Whether the program can have an event. An event about fullscreen waits if earlier news about
     /// fullscreen may still be on the way from the server.
     bool has_event() const {
         const bool knows = !state_.is_asking() || window_->connection().lost();

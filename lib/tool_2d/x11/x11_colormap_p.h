@@ -35,8 +35,8 @@ struct palette_shape {
     /// Distance of two colours in their worst channel, in 510ths of a step of that channel.
     int distance(std::uint32_t one, std::uint32_t other) const;
 
-    /// Whether no channel differs by more than half a step. Then a dither still mixes colours from
-    /// a level on each side.
+    /// Whether two colours differ by no more than half a step in each channel. Then a dither still
+    /// mixes colours from a level on each side.
     bool is_near(std::uint32_t one, std::uint32_t other) const {
         return distance(one, other) <= 255;
     }

@@ -28,7 +28,7 @@ public:
     /// The number of pixels in the boxes.
     std::int64_t pixels() const { return pixels_; }
 
-    /// Adds all pixels of a box. Expects: it lies in the picture.
+    /// Adds all pixels of a box. Expects: the box lies in the picture.
     void add(const l3d_pixel_box& box);
 
     /// Removes the box of each tile if that box lies wholly in the given one.

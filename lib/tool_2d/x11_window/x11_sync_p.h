@@ -32,7 +32,7 @@ private:
     enum class step { idle, asked, sized };
 
     const x11_window& window_;
-    Atom protocol_ = 0; ///< 0: not offered
+    Atom protocol_ = 0; ///< the protocol's name, as X numbers it; 0: it is not offered
     XSyncCounter counter_ = 0;
     XSyncValue number_{};
     l3d_size size_{};

@@ -22,7 +22,7 @@ struct x11_facts {
     bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
     bool fullscreen = false;        ///< the manager says that our window is fullscreen
     bool away = false; ///< our window is minimised, on another workspace, or not viewable
-    std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
+    std::vector<l3d_pixel_box> monitors{}; ///< places in the display's pixels; empty: not known
     double fineness = 1; ///< as x11_fineness gives it, by a manager of settings or the resources
 };
 
