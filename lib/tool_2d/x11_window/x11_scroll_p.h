@@ -45,7 +45,7 @@ private:
     /// A wheel's name: its device, and its number there.
     using name = std::pair<std::uint16_t, std::uint16_t>;
     struct wheel {
-        double increment = 0;       ///< the length of a notch; 0: the axis is no wheel
+        double increment = 0; ///< the length of a notch; 0: the axis is no wheel
         /// The wheel's position; nothing after the pointer was elsewhere.
         std::optional<double> last;
     };
