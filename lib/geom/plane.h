@@ -131,7 +131,7 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
     const double p_side = l3d_side_2d<T>(p, a, b);
     const double t = p_side / (p_side - l3d_side_2d<T>(q, a, b));
     l3d_position<T> at = l3d_part_way<T>(p, q, t);
-    // A crossing with an upright or level line lies on it exactly, so that it is not outside a
+    // A crossing with a vertical or horizontal line lies on it exactly, so that it is not outside a
     // window.
     for (int axis = 0; axis < 2; ++axis)
         if (a[axis] == b[axis])

@@ -42,8 +42,8 @@ struct L3D_PUBLIC l3d_cage_tags {
 /// The treatment of the corners of boundaries: vertices that belong to only one face.
 enum class L3D_PUBLIC l3d_cage_boundary {
     as_tagged, ///< as the file's tags say; sharp if they say nothing
-    corners,   ///< sharp
-    smooth,    ///< rounded
+    corners,   ///< corners are sharp
+    smooth,    ///< corners are rounded
 };
 
 /// Settings of l3d_subdivide.
@@ -61,7 +61,7 @@ struct L3D_PUBLIC l3d_subdivision {
 /// Most patches are exact. Those at irregular vertices are within the model's patch_errors of the
 /// limit surface (docs/NUMERICS.md, section 29). A note tells the error that was reached.
 ///
-/// It needs the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
+/// The function needs the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
 /// Errors: false, and `why` = "name: reason", for a mesh without faces. Also if an edge belongs to
 ///         more than two faces, or to two that turn opposite ways, or if faces meet in nothing but
 ///         a vertex. Also if a face has a vertex twice, or the plug-in is missing.

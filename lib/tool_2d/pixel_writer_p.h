@@ -64,8 +64,8 @@ public:
                std::uint8_t* bytes, std::ptrdiff_t bytes_per_line) const;
 
 private:
-    /// Maps a channel value to 64 i + n. On a square of 8 x 8, n pixels then show level i + 1, the
-    /// others level i.
+    /// Maps a channel value to 64 i + n. On a dithered square of 8 x 8, n pixels show level i + 1,
+    /// the others level i.
     using dither_table = std::array<std::uint16_t, 256>;
 
     // Each kind of pixel is made for one row, and converts that row's words.

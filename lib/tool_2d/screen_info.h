@@ -72,7 +72,8 @@ struct L3D_PUBLIC l3d_palette {
     /// Whether the palette has grays only.
     bool is_ramp() const { return green == 1; }
 
-    /// The channel value, 0..255, of a level: level * 255 / (levels - 1), to nearest.
+    /// The channel value, 0..255, of one of a palette's levels: level * 255 / (levels - 1), to
+    /// nearest.
     /// Expects: levels >= 2.
     static int value_of(int level, int levels) {
         return (2 * 255 * level + levels - 1) / (2 * (levels - 1));

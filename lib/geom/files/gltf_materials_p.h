@@ -21,7 +21,7 @@ namespace l3d_detail {
 /// The extension for materials of diffuse colour and glossiness, glTF's older model.
 inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 
-/// Encodes a level of linear light as sRGB.
+/// Encodes an amount of linear light as sRGB.
 /// Units: argument and result are from 0 to 1.
 /// Source: IEC 61966-2-1, sRGB.
 double encoded(double light);

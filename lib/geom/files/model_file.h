@@ -183,15 +183,15 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_fil
 /// Cost:    as l3d_read_model.
 using l3d_model_reader = std::optional<l3d_model_file>(std::string_view text, std::string_view name,
                                                        std::string& why);
-L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
-    l3d_read_obj,                         ///< Wavefront
-    l3d_read_off,                         ///< geomview's polygons
-    l3d_read_ply,                         ///< Stanford's polygons
-    l3d_read_videoscape,                  ///< Videoscape's polygons, 3DG1
-    l3d_read_bez,                         ///< geomview's patches
-    l3d_read_stl,                         ///< triangles
-    l3d_read_grid,                        ///< a grid of heights, as patches
-    l3d_read_cad;                         ///< STEP and IGES, by the plug-in of the package l3d-cad
+L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< reads .asc, 3D Studio's text form
+    l3d_read_obj,                         ///< reads .obj, Wavefront's format
+    l3d_read_off,                         ///< reads .off, geomview's polygons
+    l3d_read_ply,                         ///< reads .ply, Stanford's polygons
+    l3d_read_videoscape,                  ///< reads 3DG1, Videoscape's polygons
+    l3d_read_bez,                         ///< reads BEZ and BBP, geomview's patches
+    l3d_read_stl,                         ///< reads .stl, triangles
+    l3d_read_grid,                        ///< reads a grid of heights as patches
+    l3d_read_cad;                         ///< reads STEP and IGES, by the plug-in of l3d-cad
 
 /// The reader of glTF 2.0.
 /// Errors:  as l3d_read_model, but the message names a place in the document, such as

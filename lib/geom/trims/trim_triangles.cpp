@@ -32,8 +32,9 @@ void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& 
     find_followed();
 }
 
-/// Stacks layers that share a whole level side. Together they are one polygon, which every level
-/// line meets once. If a side continues from one layer to the next, it has no corner between them.
+/// Stacks layers that share a whole side of equal v. Together such layers are one polygon, which
+/// every line of equal v meets once. If a side continues from one layer to the next, it has no
+/// corner between them.
 void l3d_trim_triangles::stack_layers() {
     const auto low_key = [this](std::size_t i) {
         const auto& [left, right] = layers_[i].low;
