@@ -13,7 +13,8 @@
 ///          transparency; see l3d_pixels.
 using l3d_color = std::uint32_t;
 
-/// The colour with these levels of red, green and blue. Units: 0 to 255; others are clamped.
+/// The colour with these levels of red, green and blue.
+/// Units: levels from 0 to 255; values outside of this range are clamped.
 constexpr l3d_color l3d_rgb(int red, int green, int blue) {
     const auto level = [](int value) { return static_cast<l3d_color>(std::clamp(value, 0, 255)); };
     return level(red) << 16 | level(green) << 8 | level(blue);

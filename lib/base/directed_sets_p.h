@@ -9,10 +9,12 @@
 
 namespace l3d_detail {
 
-/// Disjoint sets of lines, numbered from 0. Each line runs in its set's direction or backwards. A
-/// set's representative is one of its lines, and has the set's direction.
+/// Disjoint sets of lines, such as borders that are cut alike. Lines are numbered from 0. Each line
+/// runs in its set's direction or backwards. A set's representative is one of its lines, and has
+/// the set's direction.
 class directed_sets {
 public:
+    /// A line, and whether it is taken in reverse.
     struct place {
         std::size_t line;
         bool is_backwards;
@@ -31,7 +33,7 @@ public:
     /// Adds a line, in a set of its own.
     void add() { lines_.push_back({{lines_.size(), false}}); }
 
-    /// The representative of a line's set, and whether the line runs against it.
+    /// The representative of a line's set, and whether the line runs against the representative.
     /// Cost: logarithmic, as the smaller set always joins the larger one.
     place find(std::size_t line) const {
         place result{line, false};
@@ -42,8 +44,8 @@ public:
         return result;
     }
 
-    /// Unites the sets of two lines. The lines then run the same way, each reversed if its
-    /// `is_backwards` is set.
+    /// Unites the sets of two lines, so that the two lines run the same way. A line whose
+    /// `is_backwards` is set is reversed first.
     void join(const place& a, const place& b) {
         place root = find(a.line), other = find(b.line);
         const bool turns =
@@ -60,15 +62,16 @@ public:
         smaller.above = {root.line, turns};
     }
 
-    /// Whether some line was joined to itself in reverse, as on a Moebius band.
-    /// Expects: a representative.
+    /// Whether some line of a set was joined to itself in reverse, as on a Moebius band.
+    /// Expects: the set's representative.
     bool runs_both_ways(std::size_t line) const { return lines_[line].runs_both_ways; }
 
 private:
     struct member {
         place above; ///< a line closer to the representative, or the representative itself
         std::size_t size = 1;
-        bool runs_both_ways = false; ///< like size, valid for representatives only
+        /// Whether a line was joined to itself in reverse; as size, valid in representatives only.
+        bool runs_both_ways = false;
     };
 
     std::vector<member> lines_;

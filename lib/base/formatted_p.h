@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// While it lives, this thread uses the locale "C", so that decimal points are points in every host
-/// program.
+/// Sets the locale "C" for this thread while an object of this class lives. So decimal points are
+/// points in every host program.
 class without_locale {
 public:
     without_locale() : before_(uselocale(newlocale(LC_ALL_MASK, "C", locale_t{}))) {}

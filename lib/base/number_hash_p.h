@@ -10,7 +10,8 @@
 
 namespace l3d_detail {
 
-/// Hashes an array of doubles or of whole numbers. Equal arrays have equal hashes; -0 counts as 0.
+/// Hashes an array of doubles or of whole numbers, for tables that have arrays as keys. Equal
+/// arrays have equal hashes; -0 counts as 0.
 struct number_hash {
     template <class Numbers> std::size_t operator()(const Numbers& of) const {
         // 2^64 divided by the golden ratio, made odd. A product carries bits upwards only, so it is

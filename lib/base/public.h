@@ -8,7 +8,7 @@
 #error "l3d needs C++20: compile with -std=c++20 or a later standard"
 #endif
 
-/// Marks names that programs may link to. All others in the shared library are hidden.
+/// Marks names that programs may link to. All other names in the shared library are hidden.
 #define L3D_PUBLIC [[gnu::visibility("default")]]
 
 #endif

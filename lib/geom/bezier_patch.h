@@ -11,8 +11,8 @@
 #include <cstddef>
 #include <utility>
 
-/// Interpolates linearly between two points: a + t (b - a) in each component. Exact at t = 0;
-/// monotone in t for each component.
+/// Interpolates linearly between two points: a + t (b - a) in each component. The result is exactly
+/// a at t = 0. Each component is monotone in t.
 template <class T, int N>
 l3d_vector<T, N> l3d_lerp(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b, T t) {
     l3d_vector<T, N> result;
@@ -21,7 +21,7 @@ l3d_vector<T, N> l3d_lerp(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b, 
     return result;
 }
 
-/// The rounded midpoint of a and b. Exchanging a and b does not change its bits.
+/// The rounded midpoint of a and b. Exchanging a and b does not change the midpoint's bits.
 template <class T, int N>
 l3d_vector<T, N> l3d_midpoint_of(const l3d_vector<T, N>& a, const l3d_vector<T, N>& b) {
     l3d_vector<T, N> result;
@@ -46,7 +46,7 @@ template <class T> constexpr void l3d_to_powers(T& a, T& b, T& c, T& d) {
 template <class T, int N> struct L3D_PUBLIC l3d_bezier_curve {
     /// A control point, or a point of the curve.
     using point = l3d_vector<T, N>;
-    std::array<point, 4> points; ///< the first and the last one lie on the curve
+    std::array<point, 4> points; ///< the control points; the first and the last lie on the curve
 
     /// The point at t, by de Casteljau's scheme (six interpolations).
     /// Source: de Casteljau 1959; Farin, Curves and Surfaces for CAGD, section 4.2.
@@ -124,7 +124,7 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
     /// The point S(u, v), by de Casteljau's scheme in u, then in v.
     point evaluate(T u, T v) const { return curve_at_u(u).evaluate(v); }
 
-    /// dS/du at (u, v).
+    /// The derivative dS/du at (u, v).
     point derivative_u(T u, T v) const {
         curve in_u;
         for (int c = 0; c < 4; ++c)
@@ -132,7 +132,7 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
         return evaluate_quadratic(in_u.derivative(), u);
     }
 
-    /// dS/dv at (u, v).
+    /// The derivative dS/dv at (u, v).
     point derivative_v(T u, T v) const { return evaluate_quadratic(curve_at_u(u).derivative(), v); }
 
     /// The patch with u and v exchanged.
@@ -144,7 +144,8 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
         return result;
     }
 
-    /// The halves u in [0, 1/2] and [1/2, 1]; see l3d_bezier_curve::split for symmetry.
+    /// The halves of the patch: u in [0, 1/2] and u in [1/2, 1]. Reversing the patch along u
+    /// reverses and exchanges the halves, bit for bit, as for l3d_bezier_curve::split.
     std::pair<l3d_bezier_patch, l3d_bezier_patch> split_u() const {
         std::pair<l3d_bezier_patch, l3d_bezier_patch> halves;
         for (int r = 0; r < 4; ++r) {
@@ -157,7 +158,7 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
         return halves;
     }
 
-    /// The halves v in [0, 1/2] and [1/2, 1].
+    /// The halves of the patch: v in [0, 1/2] and v in [1/2, 1], as for split_u.
     std::pair<l3d_bezier_patch, l3d_bezier_patch> split_v() const {
         std::pair<l3d_bezier_patch, l3d_bezier_patch> halves;
         for (int c = 0; c < 4; ++c) {
@@ -198,8 +199,8 @@ template <class T, int N> l3d_vector<T, N - 1> l3d_projected(const l3d_vector<T,
     return result;
 }
 
-/// The derivatives by u and by v of a rational patch as a surface S in space. With the weight w, (S
-/// w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
+/// The derivatives by u and by v of a rational patch as a surface S in space, whose weight is w.
+/// The product rule (S w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
 /// Expects: the weight at (u, v) is not zero.
 template <class T, int N>
 std::pair<l3d_vector<T, N - 1>, l3d_vector<T, N - 1>>

@@ -11,10 +11,10 @@
 #include <limits>
 #include <type_traits>
 
-/// The treatment of a result that does not fit.
+/// The treatment of a result that is outside of a number type's range.
 enum class L3D_PUBLIC l3d_overflow {
-    wrap,     ///< modulo 2^bits, as unsigned integers do; the fastest
-    saturate, ///< the nearest end of the range
+    wrap,     ///< the result is taken modulo 2^bits, as for unsigned integers; the fastest
+    saturate, ///< the result becomes the nearest end of the range
     trap,     ///< the program stops at once: __builtin_trap()
 };
 
@@ -51,7 +51,8 @@ template <class Wide> constexpr Wide divided_to_nearest(Wide dividend, Wide divi
     return (dividend < 0) == (divisor < 0) ? toward_zero + 1 : toward_zero - 1;
 }
 
-/// The end of the range beyond which a value lies. With trap, it stops the program instead.
+/// The end of Storage's range beyond which a value lies: the lower end if `negative`. With
+/// l3d_overflow::trap, the function stops the program instead.
 template <class Storage, l3d_overflow Overflow> constexpr Storage beyond(bool negative) noexcept {
     if constexpr (Overflow == l3d_overflow::trap)
         __builtin_trap();
@@ -116,7 +117,7 @@ public:
     explicit constexpr l3d_fixed(int value) noexcept
         : l3d_fixed(of_wide(static_cast<l3d_detail::int128>(value) * one)) {}
 
-    /// The nearest number that has this format. Errors: out of range as Overflow says.
+    /// The number of this format that is nearest to `value`. Errors: out of range as Overflow says.
     explicit constexpr l3d_fixed(double value) noexcept : raw_(raw_of(value)) {}
 
     /// A number of another format: exact if it fits, else rounded.
@@ -147,7 +148,7 @@ public:
     static constexpr l3d_fixed max() noexcept {
         return from_raw(std::numeric_limits<Storage>::max());
     }
-    /// The step between neighbours, and the least positive value.
+    /// The step between neighbouring numbers, which is also the least positive number.
     static constexpr l3d_fixed epsilon() noexcept { return from_raw(1); }
 
     /// The number as a double: exact if raw() fits 53 bits, else rounded.
@@ -269,8 +270,8 @@ constexpr l3d_fixed<S, F, O> l3d_midpoint(l3d_fixed<S, F, O> a, l3d_fixed<S, F, 
     return l3d_fixed<S, F, O>::from_raw(static_cast<S>(l3d_detail::shifted_to_nearest(sum, 1)));
 }
 
-/// A sum of products that is rounded once, when it is read. Only the sum that is read must be in
-/// range.
+/// A sum of products that is rounded once, when it is read. The sum must be in range when it is
+/// read; before, it need not be.
 ///
 /// Expects: Fixed is an l3d_fixed; fewer than 2^31 products.
 template <class Fixed> class L3D_PUBLIC l3d_fixed_sum {
@@ -303,7 +304,7 @@ public:
 
 private:
     wide low_ = 0;  ///< the sum modulo 2^(bits of wide)
-    int turns_ = 0; ///< overflows of low_ at the upper end, less those at the lower
+    int turns_ = 0; ///< how often low_ overflowed at the upper end, less how often at the lower
 };
 
 #endif

@@ -30,7 +30,7 @@ template <class T, int Degree> struct l3d_forward_difference {
     ///
     /// Let c1, c2, c3 be the power coefficients divided by n, n^2, n^3, where n is the number of
     /// steps. The first difference is f(h) - f(0) = c1 + c2 + c3, the second 2 c2 + 6 c3, and the
-    /// third 6 c3. They are computed in double, and each is rounded to T once.
+    /// third 6 c3. The differences are computed in double, and each is rounded to T once.
     /// Expects: steps >= 1.
     static l3d_forward_difference build(const std::array<double, 4>& b, int steps) {
         assert(steps >= 1);
@@ -59,9 +59,9 @@ template <class T, int Degree> struct l3d_forward_difference {
 
     /// Halves the step. The difference operator D' of the new step follows from that of the old
     /// one: 1 + D' = (1 + D)^(1/2). Powers above D^3 vanish, so
-    ///   D' = D/2 - D^2/8 + D^3/16,  D'^2 = D^2/4 - D^3/8,  D'^3 = D^3/8.
-    /// Expects: every difference is in range. (Mere steps are linear modulo 2^bits: they need in
-    ///          range only the values that are used.)
+    ///     D' = D/2 - D^2/8 + D^3/16,  D'^2 = D^2/4 - D^3/8,  D'^3 = D^3/8.
+    /// Expects: every difference is in range. (step() alone needs less: additions are exact modulo
+    ///          2^bits, so only the values that are used must be in range.)
     void halve() {
         const T half_third = halved(d[3]);
         d[2] = halved(halved(d[2] - half_third));
@@ -87,8 +87,8 @@ private:
 ///
 /// The control values are at most p in magnitude; their first, second and third differences are at
 /// most b1, b2, b3. Then the forward differences are at most D3 = 6 b3 / n^3, D2 = 6 b2 / n^2 + D3
-/// and D1 = 3 b1 / n + 2 D2. An initial error of the k-th difference reaches the value C(n, k)
-/// fold. Floating point adds u |difference| at each of the n, C(n, 2), C(n, 3) additions that
+/// and D1 = 3 b1 / n + 2 D2. An initial error of the k-th difference counts C(n, k) times in the
+/// value. Floating point adds u |difference| at each of the n, C(n, 2), C(n, 3) additions that
 /// follow. Fixed point additions are exact, and every initial error is half an ulp.
 /// Source: running error analysis (Wilkinson, Rounding Errors in Algebraic Processes, 1963).
 template <class T>
@@ -112,7 +112,7 @@ double l3d_forward_difference_error(int n, double p, double b1, double b2, doubl
     return u * (initial + adding) + cancelling + half_ulp * (1 + steps + pairs + triples);
 }
 
-/// Counts of an adaptive walk.
+/// The work of an adaptive walk along a curve, for programs that show it.
 struct l3d_step_counts {
     std::int64_t steps = 0;     ///< steps taken, each of three additions a coordinate
     std::int64_t halvings = 0;  ///< halvings of the step
@@ -125,10 +125,10 @@ struct l3d_step_counts {
 ///
 /// The walk is exact if T is fixed point with g + 3 finest fraction bits, and control values are
 /// multiples of 2^-g.
-/// Shape:   one polynomial for each coordinate, at its beginning, with a step of 2^-first. The
-///          function calls visit(at, level, curve) there and after each step. The parameter is
-///          at / 2^finest, and the last step was 2^-level.
-/// Units:   `pixel` in those of the coordinates.
+/// Shape:   `curve` has one polynomial for each coordinate, at its beginning, with a step of
+///          2^-first. The function calls visit(at, level, curve) at the beginning and after each
+///          step. The parameter is then at / 2^finest, and the step is 2^-level.
+/// Units:   `pixel` is the size of a pixel in the units of the coordinates.
 /// Expects: 0 <= first <= finest <= 30; all differences in range. Steps of 2^-finest may be longer
 ///          than a pixel.
 /// Source:  Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering Curves and Surfaces,
@@ -169,7 +169,7 @@ l3d_step_counts l3d_walk_adaptively(std::array<l3d_forward_difference<T, 3>, Coo
 
 /// A cubic Bezier polynomial with whole control values, for walks without rounding. Whenever a
 /// split or a walk doubles the number of steps, it multiplies the values by 8. So every difference
-/// is a whole number.
+/// is a whole number. The level counts these doublings.
 ///
 /// Units:   the true values are the stored ones divided by 8^level.
 /// Expects: control values of at most 2^24 in magnitude at level 0, and levels up to most_level.
@@ -177,7 +177,8 @@ l3d_step_counts l3d_walk_adaptively(std::array<l3d_forward_difference<T, 3>, Coo
 ///          Transactions on Graphics 13 (1994). The caller chooses where to split.
 class L3D_PUBLIC l3d_integer_cubic {
 public:
-    /// The largest level. Values have 24 + 3 * 12 = 60 bits there, and differences no more.
+    /// The largest level. Values have 24 + 3 * 12 = 60 bits at this level, and differences have no
+    /// more.
     static constexpr int most_level = 12;
 
     /// A cubic by its control values, at level 0.
@@ -186,7 +187,7 @@ public:
     /// The number of times that values were multiplied by 8.
     int level() const { return level_; }
 
-    /// Both halves of the cubic, each at the next level.
+    /// Both halves of the cubic, each with a level that is larger by 1.
     std::pair<l3d_integer_cubic, l3d_integer_cubic> split() const {
         assert(level_ < most_level);
         const auto& [a, b, c, d] = control_;
@@ -197,9 +198,9 @@ public:
                 l3d_integer_cubic({middle, right, last, 8 * d}, level_ + 1)};
     }
 
-    /// Calls visit(value) for 2^doublings + 1 values along the cubic, both ends included. The
-    /// values are those of the level level() + doublings. Each takes three additions from the one
-    /// before.
+    /// Calls visit(value) for 2^doublings + 1 values along the cubic, both ends included. Each
+    /// value is the true one times 8^(level() + doublings), and takes three additions from the
+    /// value before.
     template <class Visitor> void walk(int doublings, const Visitor& visit) const {
         assert(doublings >= 0 && level_ + doublings <= most_level);
         const auto& [a, b, c, d] = control_;
@@ -219,8 +220,8 @@ public:
         }
     }
 
-    /// Visits the values that walk(halvings + doublings) visits, but halves the cubic `halvings`
-    /// times first and walks each piece. The ends where pieces meet are visited once.
+    /// Calls visit for the same values as walk(halvings + doublings), but halves the cubic
+    /// `halvings` times first and walks each piece. The ends where pieces meet are visited once.
     template <class Visitor>
     void walk_halved(int halvings, int doublings, const Visitor& visit) const {
         bool is_first = true;

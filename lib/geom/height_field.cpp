@@ -14,7 +14,7 @@
 namespace {
 
 /// Control heights of the Catmull-Rom spline through heights: each height, and two between
-/// neighbours. Those beside a missing height are NaN.
+/// neighbours. Control heights beside a missing height are NaN.
 std::vector<double> control_heights(const std::vector<double>& through) {
     constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
     const auto at = [&](std::size_t i) { return i < through.size() ? through[i] : nothing; };

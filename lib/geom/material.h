@@ -11,8 +11,8 @@
 
 /// The colour of a surface, and its highlights.
 ///
-/// Units: colours are pixel words 0x00RRGGBB, encoded as pictures are. Where a white surface would
-///        show the grey level g, a channel of colour c shows round(c g / 255).
+/// Units: colours are pixel words 0x00RRGGBB, encoded as sRGB. Where a white surface would show the
+///        grey g, 0 to 255, a channel of colour c shows round(c g / 255).
 struct L3D_PUBLIC l3d_material {
     l3d_color color = 0xffffff; ///< colour of light that is scattered to all sides
     l3d_color highlight = 0;    ///< colour of mirrored light; black mirrors none
@@ -31,7 +31,7 @@ struct L3D_PUBLIC l3d_material {
 
     static constexpr int no_picture = -1; ///< the value of `picture` without a picture
 
-    /// Whether it looks like a surface without a material.
+    /// Whether a surface with this material looks like one without any material.
     bool is_plain() const {
         return color == 0xffffff && highlight == 0 && opacity == 1 && picture == no_picture;
     }
@@ -39,7 +39,7 @@ struct L3D_PUBLIC l3d_material {
     friend bool operator==(const l3d_material&, const l3d_material&) = default;
 };
 
-/// The product of two encoded colours, channel by channel: white changes nothing.
+/// The product of two encoded colours, channel by channel: white leaves the other colour as it is.
 constexpr l3d_color l3d_product_of_colors(l3d_color a, l3d_color b) {
     std::uint32_t result = 0;
     for (int shift = 16; shift >= 0; shift -= 8)

@@ -33,9 +33,9 @@ public:
         return {columns_[0], columns_[1], columns_[2], columns_[3]};
     }
 
-    /// A number, to be changed. Expects: 0 <= row, column < 4.
+    /// The number at a row and a column, to be changed. Expects: 0 <= row, column < 4.
     T& operator()(int row, int column) noexcept { return columns_[column][row]; }
-    /// A number. Expects: 0 <= row, column < 4.
+    /// The number at a row and a column. Expects: 0 <= row, column < 4.
     const T& operator()(int row, int column) const noexcept { return columns_[column][row]; }
 
     /// The four numbers of a row. Expects: 0 <= i < 4.

@@ -20,7 +20,8 @@ using point = l3d_point<double>;
 
 constexpr index nowhere = 0xffffffff;
 
-/// Cuts one mesh. Until `compact`, indices are those of the mesh, and new vertices follow its own.
+/// Cuts one mesh. Until `compact`, indices are those of the given mesh, and new vertices follow its
+/// own vertices.
 class cutter {
 public:
     cutter(const l3d_polygon_mesh& mesh, const l3d_plane<double>& plane)
@@ -64,8 +65,8 @@ private:
         }
     }
 
-    /// Whether a face on the plane bounds the front part: the face's normal then points behind the
-    /// plane, out of that part.
+    /// Whether a face on the plane bounds the part in front: the face's normal then points behind
+    /// the plane, out of that part.
     bool bounds_front(std::size_t i) const {
         const auto face = mesh_.face(i);
         if (!std::all_of(face.begin(), face.end(), [this](index v) { return on_plane(v); }))

@@ -16,15 +16,16 @@ using vector = l3d_normal_net::vector;
 constexpr int degree = 5;
 constexpr int order = degree + 1;
 
-/// An edge row counts as vanishing below this part of the largest coefficient. The product sums 36
-/// terms of double precision, so cancellation leaves at most some 100 * 2^-53 = 1e-14.
+/// An edge row counts as vanishing if its coefficients are below this share of the largest
+/// coefficient. The product sums 36 terms of double precision, so cancellation leaves at most some
+/// 100 * 2^-53 = 1e-14.
 constexpr double vanishing = 1e-12;
 
 double largest(const vector& v) {
     return std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
 }
 
-/// Bound on the rounding error of a cross product that is zero, as a part of its factors' sizes.
+/// Bound on the rounding error of a cross product that is zero, as a share of its factors' sizes.
 /// The weighted sum of 12 products has some 20 roundings of 2^-53 in a row; 64 leaves room for
 /// more.
 constexpr double rounding = 64 * 0x1p-53;
@@ -47,7 +48,7 @@ std::array<vector, order> divided_by_t(const std::array<vector, order>& b) {
 
 } // namespace
 
-/// Source: de Casteljau's algorithm at the middle.
+/// Halves the polynomial by de Casteljau's algorithm at the middle.
 std::pair<l3d_normal_polynomial, l3d_normal_polynomial>
 l3d_normal_polynomial::split(std::size_t along, std::size_t across) const {
     std::pair<l3d_normal_polynomial, l3d_normal_polynomial> halves{{}, *this};

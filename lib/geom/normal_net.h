@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <utility>
 
-/// A polynomial of degree 5 by 5 in Bernstein form. Shape: index 6 * row + column, columns along u.
+/// A polynomial of degree 5 by 5 in Bernstein form, which holds a bicubic patch's normals.
+/// Shape: index 6 * row + column, columns along u.
 struct l3d_normal_polynomial {
     using vector = l3d_vector<double, 3>;
     static constexpr std::size_t order = 6;
@@ -32,9 +33,10 @@ private:
 /// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
 ///
 /// Where an edge of the patch is collapsed, the cross product vanishes along it although the
-/// tangent plane exists. The net then holds the cross product divided by the vanishing factor u,
-/// 1 - u, v or 1 - v, as often as needed. It has the same direction inside, and the limit on the
-/// edge. If the normal vanishes everywhere, as far as rounding can tell, the net is 0.
+/// tangent plane exists. The net then holds the cross product divided by the vanishing factor, as
+/// often as needed; it is u, 1 - u, v or 1 - v. The quotient has the cross product's direction
+/// inside the patch, and the limit of that direction on the edge. If the normal vanishes
+/// everywhere, as far as rounding can tell, the net is 0.
 ///
 /// Shape:  36 vectors, index 6 * row + column, columns along u.
 /// Units:  scaled so that the largest component is 1 (direction is all that counts).
@@ -46,11 +48,11 @@ public:
 
     l3d_normal_net() = default;
     explicit l3d_normal_net(const l3d_bezier_patch<double, 3>& patch);
-    /// Makes the net of given normals. Factors that vanish on an edge are divided out, as for a
-    /// patch.
+    /// Makes the net of given normals. Factors that vanish on an edge are divided out, as by the
+    /// constructor for a patch.
     explicit l3d_normal_net(const l3d_normal_polynomial& normals);
-    /// Takes a net, and the same coefficients as floats. Expects: a scaled net without such
-    /// factors.
+    /// Takes over a finished net, and the same coefficients as floats.
+    /// Expects: a largest component of 1, and no factor that vanishes on an edge.
     l3d_normal_net(const l3d_normal_polynomial& normals, const float (&in_floats)[3][6][6])
         : net_(normals) {
         std::copy_n(&in_floats[0][0][0], 3 * 6 * 6, &in_floats_[0][0][0]);
@@ -62,7 +64,7 @@ public:
     const vector& at(int row, int column) const { return net_.points[index(row, column)]; }
     const l3d_normal_polynomial& polynomial() const { return net_; }
 
-    /// The normal at (u, v), any length. Source: de Casteljau.
+    /// The normal at (u, v), with any length. Source: de Casteljau.
     vector evaluate(double u, double v) const;
 
     /// The coefficients as floats, one array per component: [component][row][column].

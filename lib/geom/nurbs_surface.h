@@ -26,7 +26,7 @@ struct L3D_PUBLIC l3d_bspline_direction {
     int degree = 0; ///< degree of the polynomials between knots; 3 for cubic ones
     /// Parameters where the polynomials meet; a knot of multiplicity m is listed m times.
     std::vector<double> knots;
-    /// The range of the parameter that is used.
+    /// The range of the parameter: the curve or surface consists of the points within this range.
     double from = 0, to = 0;
 
     friend bool operator==(const l3d_bspline_direction&, const l3d_bspline_direction&) = default;
@@ -34,7 +34,8 @@ struct L3D_PUBLIC l3d_bspline_direction {
     /// The number of control points along this direction.
     std::size_t points() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
 
-    /// Spans between different knots within [from, to]: the Bezier segments along this direction.
+    /// The number of spans between different knots within [from, to]. Each is a Bezier segment
+    /// along this direction.
     std::size_t segments() const;
 
     /// The error message for an invalid direction; "" if it is valid. Degrees are from 1 to
@@ -43,8 +44,8 @@ struct L3D_PUBLIC l3d_bspline_direction {
     /// there. [from, to] lies within the knots that have enough control points.
     std::string complaint() const;
 
-    /// Clamped, uniform knots for `points` control points: the curve begins at the first and ends
-    /// at the last. The parameter runs from 0 to 1.
+    /// Clamped, uniform knots for `points` control points: the curve begins at the first control
+    /// point and ends at the last. The parameter runs from 0 to 1.
     /// Expects: points > degree >= 1.
     static l3d_bspline_direction clamped(int degree, std::size_t points);
 
@@ -55,8 +56,8 @@ struct L3D_PUBLIC l3d_bspline_direction {
     static l3d_bspline_direction periodic(int degree, std::size_t points);
 };
 
-/// Divides a B-spline surface into Bezier patches, in order along u first, then v. They have the
-/// same points in space, up to rounding.
+/// Divides a B-spline surface into Bezier patches, in order along u first, then v. Up to rounding,
+/// the patches together are the same surface.
 ///
 /// Control points that are Bezier points already, as their knots have full multiplicity, keep their
 /// bits. Neighbouring patches have the same points, bit for bit, on their boundary.
@@ -78,11 +79,11 @@ struct L3D_PUBLIC l3d_surface_derivatives {
     /// A place or a direction.
     using vector = l3d_vector<double, 3>;
     vector place{0.0, 0.0, 0.0}, ///< the point of the surface
-        by_u{0.0, 0.0, 0.0},     ///< its derivative by u
-        by_v{0.0, 0.0, 0.0},     ///< its derivative by v
-        by_uu{0.0, 0.0, 0.0},    ///< its second derivative by u
-        by_uv{0.0, 0.0, 0.0},    ///< its derivative by u and v
-        by_vv{0.0, 0.0, 0.0};    ///< its second derivative by v
+        by_u{0.0, 0.0, 0.0},     ///< the surface's derivative by u
+        by_v{0.0, 0.0, 0.0},     ///< the surface's derivative by v
+        by_uu{0.0, 0.0, 0.0},    ///< the surface's second derivative by u
+        by_uv{0.0, 0.0, 0.0},    ///< the surface's derivative by u and v
+        by_vv{0.0, 0.0, 0.0};    ///< the surface's second derivative by v
 };
 
 /// A non-uniform rational B-spline surface of degrees 1 to 15: clamped, unclamped or periodic in
@@ -101,8 +102,8 @@ public:
     l3d_nurbs_surface(l3d_bspline_direction u, l3d_bspline_direction v, std::vector<vector> points,
                       std::vector<double> weights = {});
 
-    /// A patch as a surface: one span along u and v, each parameter from 0 to 1. pieces() gives the
-    /// same patch, bit for bit.
+    /// A patch as a surface: one span along u and v, each parameter from 0 to 1. The surface's
+    /// pieces() give the same patch, bit for bit.
     /// Errors: as the constructor.
     static l3d_nurbs_surface of_patch(const l3d_patch_points& patch);
 
@@ -120,7 +121,8 @@ public:
     /// The weights of the control points, in their order; empty if all are 1.
     const std::vector<double>& weights() const { return weights_; }
 
-    /// The loops in (u, v) that trim it, as l3d_patch_points has them; none if it is whole.
+    /// The loops in (u, v) that trim the surface, as l3d_patch_points has them; none if it is
+    /// whole.
     const std::vector<l3d_trim_loop>& trims() const { return trims_; }
     /// The same surface with these loops in the place of its own. l3d_trim_loop_of makes a loop of
     /// curves.
@@ -128,7 +130,7 @@ public:
     /// On a surface that closes on itself, loops may cross the seam where it closes. A curve may
     /// end at one side of the parameters where the next begins at the other, and curves may go on
     /// beyond the parameters. Loops that go around keep the part on their left, seen from outside.
-    /// trims() then has them as closed loops of the plane.
+    /// The result's trims() are closed loops in the plane of u and v.
     /// Errors: throws l3d_error(bad_input) with the text of l3d_trims_complaint(), and for loops
     ///         that go around twice, or both ways.
     l3d_nurbs_surface trimmed(std::span<const l3d_trim_loop> loops) const;
@@ -142,7 +144,8 @@ public:
 
     /// The place at (u, v). Expects: u().from <= u <= u().to, and v alike.
     vector evaluate(double u, double v) const;
-    /// The place at (u, v) with its derivatives; at a knot, those of the span that begins there.
+    /// The place at (u, v) with its derivatives. At a knot, they are those of the span that begins
+    /// there.
     /// Expects: as evaluate.
     l3d_surface_derivatives derivatives(double u, double v) const;
 
@@ -172,8 +175,8 @@ struct L3D_PUBLIC l3d_curve_jet {
     /// A place or a direction.
     using vector = l3d_vector<double, 3>;
     vector place{0.0, 0.0, 0.0}, ///< the point of the curve
-        first{0.0, 0.0, 0.0},    ///< its derivative
-        second{0.0, 0.0, 0.0};   ///< its second derivative
+        first{0.0, 0.0, 0.0},    ///< the curve's derivative
+        second{0.0, 0.0, 0.0};   ///< the curve's second derivative
 };
 
 /// A non-uniform rational B-spline curve of degree 1 to 15: clamped, unclamped or periodic.
@@ -191,7 +194,8 @@ public:
     l3d_nurbs_curve(l3d_bspline_direction along, std::vector<vector> points,
                     std::vector<double> weights = {});
 
-    /// Straight lines from point to point. Errors: as the constructor, for fewer than two points.
+    /// The curve of degree 1 that runs straight from point to point.
+    /// Errors: as the constructor, for fewer than two points.
     static l3d_nurbs_curve polyline(std::vector<vector> points);
 
     /// A circle about the origin, exact: from the x axis towards the y axis, once around.
@@ -203,7 +207,7 @@ public:
                                  const std::vector<vector>& points,
                                  const std::vector<double>& weights);
 
-    /// The knots.
+    /// The knots, and the range of the parameter.
     const l3d_bspline_direction& along() const { return along_; }
     /// The control points, along().points() of them.
     const std::vector<vector>& points() const { return points_; }
@@ -215,7 +219,8 @@ public:
 
     /// The place at t. Expects: along().from <= t <= along().to.
     vector evaluate(double t) const;
-    /// The place at t with its derivatives; at a knot, those of the span that begins there.
+    /// The place at t with its derivatives. At a knot, they are those of the span that begins
+    /// there.
     /// Expects: as evaluate.
     l3d_curve_jet derivatives(double t) const;
 
@@ -236,17 +241,17 @@ private:
 
 /// The edge that a curve of a loop follows, and the edge's parameters at the curve's ends.
 struct L3D_PUBLIC l3d_edge_use {
-    std::uint32_t edge = l3d_no_edge; ///< its index in the model
+    std::uint32_t edge = l3d_no_edge; ///< the edge's index in the model
     /// The parameters of the edge at along().from and along().to of the curve.
     double from = 0, to = 1;
 };
 
-/// Makes a loop of curves that follow each other. Their x and y are u and v; z is ignored.
+/// Makes a loop of curves that follow each other. The curves' x and y are u and v; z is ignored.
 /// Shape: `edges` has an entry for each curve, or none.
 L3D_PUBLIC l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves,
                                           std::span<const l3d_edge_use> edges = {});
 
-/// The exact surface of revolution of a curve that turns once around the y axis.
+/// The exact surface that a curve makes as it turns once around the y axis.
 ///
 /// Shape: u runs around the axis, v along the curve. A curve beside the axis that runs upwards
 ///        makes a surface whose outside is away from the axis.

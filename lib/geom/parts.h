@@ -15,8 +15,8 @@
 
 /// A named run of faces or patches. It ends where the next run begins.
 struct L3D_PUBLIC l3d_part_run {
-    std::string name;        ///< the part's name; empty if these belong to no part
-    std::uint32_t first = 0; ///< index of its first face or patch
+    std::string name;        ///< the part's name; empty if the run belongs to no part
+    std::uint32_t first = 0; ///< index of the run's first face or patch
     /// Whether names and first indices are the same.
     friend bool operator==(const l3d_part_run&, const l3d_part_run&) = default;
 };
@@ -28,7 +28,7 @@ struct L3D_PUBLIC l3d_part_run {
 /// Cost: four bytes for each thing, if there is a part.
 class L3D_PUBLIC l3d_parts {
 public:
-    /// No parts.
+    /// A model without parts.
     l3d_parts() = default;
 
     /// The parts of `count` things.

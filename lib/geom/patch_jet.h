@@ -7,24 +7,25 @@
 
 #include <optional>
 
-/// A point of a patch and its first derivatives.
+/// A point of a patch and its first derivatives, which give the patch's normal there.
 struct l3d_patch_place {
     using vector = l3d_vector<double, 3>;
     vector point, along_u, along_v;
 };
 
-/// A point of a patch, with its first and second derivatives.
+/// A point of a patch, with its first and second derivatives, which give the patch's curvature
+/// there.
 struct l3d_patch_jet : l3d_patch_place {
     vector along_uu, along_uv, along_vv;
 };
 
-/// Normal and curvature of a patch at a place where its normal is known.
+/// The normal and the curvature of a patch at a place where it has a normal.
 struct l3d_patch_bend {
     using vector = l3d_vector<double, 3>;
     vector normal;             ///< the unit vector along dS/du x dS/dv
     vector normal_u, normal_v; ///< derivatives of the normal by u and by v
     double gaussian = 0;       ///< Gaussian curvature
-    double mean = 0;           ///< mean curvature, positive where it bends towards the normal
+    double mean = 0; ///< mean curvature, positive where the patch bends towards the normal
 };
 
 /// A patch's point and first derivatives. Expects: u and v from 0 to 1. Cost: some 50 ns.

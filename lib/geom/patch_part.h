@@ -11,20 +11,22 @@
 #include <tuple>
 #include <type_traits>
 
-/// A part of a patch: its own homogeneous image net, and its range of parameters.
+/// A rectangle of a patch's parameters, and the homogeneous image net of the patch over it.
+/// Searches halve such parts, whose nets bound the patch ever more closely.
 struct l3d_patch_part {
     l3d_image_net net;
-    double u0 = 0, u1 = 1, v0 = 0, v1 = 1; ///< exact
-    int depth = 0;                         ///< the number of cuts that made it
+    double u0 = 0, u1 = 1, v0 = 0, v1 = 1; ///< the rectangle, exactly
+    int depth = 0; ///< the number of cuts that led to this part from the whole patch
 };
 
-/// A part of a patch, with the polynomial of its normals.
+/// A part of a patch, with the polynomial of the patch's normals over it, for searches that need
+/// both.
 struct l3d_exact_part : l3d_patch_part {
     l3d_normal_polynomial normals;
 };
 
-/// Cuts a piece in half along u or along v, and returns both halves, the lower one first. The
-/// halves get nets, ranges of parameters, depths and normals of their own; other members are
+/// Cuts a part of a patch in half along u or along v, and returns both halves, the lower one first.
+/// The halves get nets, ranges of parameters, depths and normals of their own; other members are
 /// copied.
 template <class Piece> std::array<Piece, 2> l3d_halves(const Piece& p, bool along_u) {
     std::array<Piece, 2> result{p, p};
@@ -38,7 +40,8 @@ template <class Piece> std::array<Piece, 2> l3d_halves(const Piece& p, bool alon
     return result;
 }
 
-/// The 4 x 4 blocks of a net. Shape: block 4 * row + column, columns along u.
+/// Cuts a net at quarters of u and of v into 4 x 4 nets.
+/// Shape: net 4 * row + column of the result; columns along u.
 template <class Net> std::array<Net, 16> l3d_blocks_of(const Net& net) {
     std::array<Net, 16> result;
     std::array<Net, 4> rows;

@@ -18,7 +18,7 @@
 template <class T> struct L3D_PUBLIC l3d_plane_crossing {
     T t;             ///< 0 at the line's first point, 1 at the second; not restricted to these
     l3d_point<T> at; ///< the place itself
-    bool from_front; ///< the first point is in front
+    bool from_front; ///< whether the line's first point is in front of the plane
 };
 
 /// A plane with a front and a back: the points p with normal . p + d = 0. Points with a positive
@@ -51,16 +51,17 @@ template <class T> struct L3D_PUBLIC l3d_plane {
         return through(p0, sine);
     }
 
-    /// The same points with front and back exchanged.
+    /// The same plane with front and back exchanged.
     l3d_plane flipped() const noexcept { return {-normal, -d}; }
 
-    /// The distance to the plane, negative behind it.
+    /// The distance of a point from the plane, negative behind it.
     T side_of_point(const l3d_point<T>& p) const noexcept {
         return l3d_dot(normal, p.from_origin) + d;
     }
 
     /// The place where the line through two points crosses the plane.
-    /// Errors:  nothing if the line is parallel: both points have the same distance in T.
+    /// Errors:  nothing if the line is parallel to the plane: both points have the same distance in
+    ///          T.
     std::optional<l3d_plane_crossing<T>> crossing(const l3d_point<T>& p0,
                                                   const l3d_point<T>& p1) const noexcept {
         const T side0 = side_of_point(p0);
@@ -130,7 +131,7 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
     const double p_side = l3d_side_2d<T>(p, a, b);
     const double t = p_side / (p_side - l3d_side_2d<T>(q, a, b));
     l3d_position<T> at = l3d_part_way<T>(p, q, t);
-    // A crossing with an upright or level line lies on it exactly, so that it is not outside a
+    // A crossing with a vertical or horizontal line lies on it exactly, so that it is not outside a
     // window.
     for (int axis = 0; axis < 2; ++axis)
         if (a[axis] == b[axis])
@@ -140,12 +141,13 @@ l3d_crossing_2d<T> l3d_cross_line_2d(const l3d_position<T>& p, const l3d_positio
 
 /// Keeps the part of a convex polygon that is in front of a plane.
 ///
-/// A corner within `thickness` of the plane counts as on it: it is kept, and no edge is cut there.
-/// So a plane that passes through corners leaves no slivers.
-/// Shape:   `side` gives the signed distance of a vertex, front positive. `cut` gives the index of
-///          the vertex where the edge between two vertices crosses the plane; its first argument is
-///          the one in front. If `cut` depends only on these two vertices, both polygons at an edge
-///          get the same cut, without a crack. `kept` is emptied, and gets the corners in order.
+/// A corner within `thickness` of the plane counts as on it: the corner is kept, and no edge is cut
+/// there. So a plane that passes through corners leaves no slivers.
+/// Shape:   side(vertex) gives the signed distance of a vertex from the plane, front positive.
+///          cut(front, behind) gives the index of the vertex where the edge between two vertices
+///          crosses the plane. If `cut` depends only on these two vertices, both polygons at an
+///          edge get the same cut, without a crack. `kept` is emptied, and gets the corners in
+///          order.
 /// Expects: at least one corner.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 /// Cost:    a call of `side` for each corner, at most two of `cut`.

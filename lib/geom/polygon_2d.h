@@ -19,24 +19,24 @@
 
 /// A list with a fixed part, whose size is given once, and a varying part behind it.
 ///
-/// Clipping adds vertices that last for a frame to the varying part. Drawing finds them by an index
-/// like any other. Several polygons may share a list: the varying part is emptied once per frame,
-/// not per polygon.
+/// Clipping adds vertices that last for a frame to the varying part. Drawing finds them by an
+/// index, as it finds the fixed vertices. Several polygons may share a list: the varying part is
+/// emptied once per frame, not per polygon.
 /// Shape:   indices 0 to fixed_size() - 1 are fixed, those from there to size() - 1 vary.
 /// Lives:   a value; a copy is deep. Adding an item makes references to others invalid.
 /// Cost:    no allocation once the largest frame has been seen.
 template <class Item> class L3D_PUBLIC l3d_two_part_list {
 public:
     l3d_two_part_list() = default;
-    /// A list with this fixed part, and nothing behind it.
+    /// A list with this fixed part, and an empty varying part.
     explicit l3d_two_part_list(std::vector<Item> fixed)
         : items_(std::move(fixed)), fixed_size_(items_.size()) {}
 
     /// The number of items in both parts.
     std::size_t size() const { return items_.size(); }
-    /// The number of items that stay.
+    /// The number of items in the fixed part.
     std::size_t fixed_size() const { return fixed_size_; }
-    /// The number of items that come and go.
+    /// The number of items in the varying part.
     std::size_t varying_size() const { return items_.size() - fixed_size_; }
 
     /// An item of either part, to be changed. Expects: index < size().
@@ -50,18 +50,18 @@ public:
         return items_[index];
     }
 
-    /// The items that stay, to be changed.
+    /// The items of the fixed part, to be changed.
     std::span<Item> fixed() { return {items_.data(), fixed_size_}; }
-    /// The items that stay.
+    /// The items of the fixed part.
     std::span<const Item> fixed() const { return {items_.data(), fixed_size_}; }
 
-    /// Adds to the varying part; returns the item's index.
+    /// Adds an item to the varying part, and returns its index.
     std::uint32_t add_varying(const Item& item) {
         items_.push_back(item);
         return static_cast<std::uint32_t>(items_.size() - 1);
     }
 
-    /// Takes away the items that come and go. Cost: keeps the memory.
+    /// Empties the varying part. Cost: keeps the memory.
     void clear_varying() { items_.erase(items_.begin() + signed_fixed_size(), items_.end()); }
 
 private:
@@ -81,13 +81,13 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
     /// A vertex defined at this place, and not moved yet.
     explicit l3d_coordinate(const l3d_point<T>& place) : original(place) { reset(); }
 
-    /// Forgets all transformations.
+    /// Undoes all transformations: `transformed` becomes `original` again.
     void reset() {
         transformed = original;
         transform_stage = 0;
     }
 
-    /// Applies the matrix, unless `stage` was the last stage done.
+    /// Moves `transformed` by the matrix, unless `stage` was the last stage done.
     /// Expects: a stage that is not 0; transformations that follow each other have different
     ///          stages.
     void transform(const l3d_matrix<T>& matrix, int stage) {
@@ -97,11 +97,11 @@ template <class T> struct L3D_PUBLIC l3d_coordinate {
         transformed = l3d_transformed(matrix, transformed);
     }
 
-    l3d_point<T> original;    ///< its definition, before any transformation
-    l3d_point<T> transformed; ///< in the end a position in the picture, in pixels
+    l3d_point<T> original;    ///< the vertex's place before any transformation
+    l3d_point<T> transformed; ///< after the last stage, a position in the picture, in pixels
     /// Results of stages in between, such as places in camera space, for programs that keep them.
     std::array<l3d_point<T>, 2> transformed_intermediates;
-    int transform_stage = 0; ///< the last stage done; 0 for none
+    int transform_stage = 0; ///< the stage of the last transformation; 0 if there was none
 };
 
 /// The vertices of one or several polygons.
@@ -110,11 +110,12 @@ template <class T> using l3d_vertex_list = l3d_two_part_list<l3d_coordinate<T>>;
 /// Moves every vertex of a list straight and evenly to its place in another list. With the last
 /// step, all arrive exactly.
 ///
-/// Each step starts from the two ends, not from the step before: nothing drifts.
+/// Each step computes the places from both ends, not from the step before. So errors do not add up.
 /// Expects: in fixed point, the distance that a vertex moves, times the steps, is in range.
 template <class T> class L3D_PUBLIC l3d_vertex_interpolator {
 public:
-    /// Begins at `from`; the varying parts are left out.
+    /// Begins a movement from the fixed vertices of `from` to those of `to`, in `steps` steps. The
+    /// varying parts are left out.
     /// Expects: both lists have equally many fixed vertices; steps >= 1.
     void start(const l3d_vertex_list<T>& from, const l3d_vertex_list<T>& to, int steps) {
         assert(from.fixed_size() == to.fixed_size() && steps >= 1);
@@ -144,7 +145,7 @@ public:
         return position_ < steps_;
     }
 
-    /// The moving vertices; `original` and `transformed` are the same place.
+    /// The vertices on their way. `original` and `transformed` of a vertex are the same place.
     l3d_vertex_list<T>& list() { return list_; }
 
 private:
@@ -162,8 +163,8 @@ template <class T> l3d_position<T> l3d_in_picture(const l3d_coordinate<T>& verte
     return {vertex.transformed[0], vertex.transformed[1]};
 }
 
-/// The vertex where an edge is cut, `t` of the way between two others. Vertex types with further
-/// values overload this function to interpolate these, too.
+/// The vertex at a crossing, where the edge between two other vertices is cut. Vertex types with
+/// further values overload this function to interpolate these values, too.
 template <class T>
 l3d_coordinate<T> l3d_cut_vertex(const l3d_coordinate<T>&, const l3d_coordinate<T>&,
                                  const l3d_crossing_2d<T>& crossing) {
@@ -171,18 +172,20 @@ l3d_coordinate<T> l3d_cut_vertex(const l3d_coordinate<T>&, const l3d_coordinate<
     return l3d_coordinate<T>({crossing.at[0], crossing.at[1], zero});
 }
 
-/// The four corners of an upright rectangle in the order that clipping expects.
+/// The corners of an axis-aligned rectangle, as a window for l3d_polygon_2d::clip_to_polygon_2d.
+/// Shape: `least` and `most` are the corners with the smallest and with the largest coordinates.
 template <class T>
 std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
                                                   const l3d_position<T>& most) {
     return {least, {most[0], least[1]}, most, {least[0], most[1]}};
 }
 
-/// A convex polygon: only its geometry, without looks.
+/// A convex polygon: only its geometry, without colours or materials.
 ///
-/// It knows indices, not vertices; the caller passes the vertices in each call. With another list
-/// of vertices, such as the next picture of a movement, the polygon has another form. There are two
-/// lists of indices: the definition, which stays, and the clipped one, which is drawn.
+/// The polygon knows indices, not vertices; the caller passes the vertices in each call. With
+/// another list of vertices, such as the next picture of a movement, the polygon has another form.
+/// There are two lists of indices: the definition, which stays, and the clipped one, which is
+/// drawn.
 /// Expects: corners in clockwise order on the screen, where y is down. Anticlockwise polygons are
 ///          clipped and drawn as well, but cannot serve as a window.
 /// Lives:   a value; a copy is deep.
@@ -192,7 +195,7 @@ public:
     explicit l3d_polygon_2d(std::vector<std::uint32_t> ivertices)
         : ivertices_(std::move(ivertices)), clip_ivertices_(ivertices_) {}
 
-    /// The corners of its definition, as indices of vertices.
+    /// The corners before any clipping, as indices of vertices.
     std::span<const std::uint32_t> ivertices() const { return ivertices_; }
     /// The corners that clipping has left, as indices of vertices.
     std::span<const std::uint32_t> clip_ivertices() const { return clip_ivertices_; }
@@ -203,8 +206,9 @@ public:
     /// Cuts off the parts outside of a convex window; false, and no corners, if nothing is left.
     ///
     /// A polygon that only touches the window from outside is outside. Corners keep their order. A
-    /// corner inside or on the edge keeps its index; others are replaced by new vertices in the
-    /// varying part. Two polygons with the same two vertices at a cut edge get the same new corner.
+    /// corner inside the window or on its border keeps its index. Others are replaced by new
+    /// vertices in the varying part. If two polygons share an edge, their new vertices on it are at
+    /// the same place.
     /// Shape:   `window` is an array, a vector or a span of l3d_position, its corners in clockwise
     ///          order on the screen. l3d_window_corners makes a rectangle.
     /// Expects: a window of at least three corners, and vertices as l3d_side_2d expects them.

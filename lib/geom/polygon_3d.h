@@ -19,7 +19,7 @@
 /// Lives:   borrows both lists.
 template <class T> struct L3D_PUBLIC l3d_polygon_3d {
     std::span<const l3d_point<T>> vertices; ///< the list that the indices refer to
-    /// Indices of its corners.
+    /// The polygon's corners in order, as indices into `vertices`.
     std::span<const std::uint32_t> corners;
 
     /// The place of a corner. Expects: i < corners.size().
@@ -41,19 +41,20 @@ template <class T> struct L3D_PUBLIC l3d_polygon_3d {
     double area() const;
 };
 
-/// Largest distance at which a vertex counts as on a plane.
+/// The largest distance from a plane at which a vertex counts as on the plane.
 /// Units: world units; the value is that of Lin's book (docs/BOOK.md).
 inline constexpr double l3d_plane_thickness = 0.001;
 
 /// The place where the edge from `front` to `behind` crosses a plane. `front_side` and
-/// `behind_side` are the signed distances of its ends from the plane.
+/// `behind_side` are the signed distances of the edge's ends from the plane.
 template <class T>
 l3d_point<T> l3d_between(const l3d_point<T>& front, const l3d_point<T>& behind, T front_side,
                          T behind_side) noexcept {
     return front + (behind - front) * (front_side / (front_side - behind_side));
 }
 
-/// Clips a convex polygon to a plane; new vertices go to the end of the list.
+/// Clips a convex polygon to the front of a plane. `kept` gets the corners of the part that is
+/// left; new vertices go to the end of `vertices`.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 template <class T>
 bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, const l3d_plane<T>& plane,
@@ -67,8 +68,9 @@ bool l3d_clip_to_plane(std::span<const std::uint32_t> corners, const l3d_plane<T
     return l3d_clip_to_plane(corners, l3d_from_double<T>(l3d_plane_thickness), side, cut, kept);
 }
 
-/// Keeps the part of a convex polygon at z >= near_z. New vertices have this z to the last bit, so
-/// that no quotient by z is larger than at near_z.
+/// Keeps the part of a convex polygon at z >= near_z: `kept` gets its corners. New vertices, at the
+/// end of `vertices`, have z = near_z to the last bit. So no quotient by z is larger than at
+/// near_z.
 /// Errors:  false, and `kept` is empty, if nothing is in front.
 template <class T>
 bool l3d_clip_near_z(std::span<const std::uint32_t> corners, T near_z,

@@ -24,16 +24,16 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
     return array.empty() || array.size() == size;
 }
 
-/// The crossing of two opposite sides of a quadrilateral; one of them begins at corner `side`.
+/// The crossing of two opposite sides of a quadrilateral, one of which begins at corner `side`.
 struct crossing {
     bool exists = false;
     std::size_t side = 0;
-    double share = 0; ///< part of that side, from its corner to the place
+    double share = 0; ///< where on the side: 0 at that corner, 1 at the next
     l3d_polygon_mesh::vector place{0.0, 0.0, 0.0};
 };
 
-/// Finds crossing sides of a quadrilateral. Seen along the normal of any corner, two of its corners
-/// then turn left and two right.
+/// Finds two crossing sides of a quadrilateral. If sides cross, two corners turn left and two
+/// right, seen along the normal of any corner.
 crossing crossing_of(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face) {
     using vector = l3d_polygon_mesh::vector;
     const auto at = [&](std::size_t i) { return mesh.vertices[face[i % 4]]; };
@@ -65,7 +65,8 @@ std::ptrdiff_t first_corner(const l3d_polygon_mesh& of, std::size_t face) {
     return of.face(face).data() - of.corners.data();
 }
 
-/// Adds the place where the sides of a face cross to the vertices, and its two triangles to `made`.
+/// Splits a face of `of` whose sides cross. Adds the crossing to the vertices of `of`, and the
+/// face's two triangles to `made`.
 void split_at(const crossing& at, std::size_t face, l3d_polygon_mesh& of, l3d_polygon_mesh& made) {
     const auto corner = [&](std::size_t i) { return of.face(face)[(at.side + i) % 4]; };
     const auto middle = static_cast<std::uint32_t>(of.vertices.size());
@@ -183,7 +184,7 @@ void l3d_polygon_mesh::append(const l3d_polygon_mesh& more) {
         face_ends.push_back(end + corner_offset);
 }
 
-/// Expects: the faces of `more` are not added yet.
+/// Appends the parts of `more`. Expects: the faces of `more` are not added yet.
 void l3d_polygon_mesh::append_parts(const l3d_polygon_mesh& more) {
     const auto first = index_of(faces());
     // A run without a name keeps the other mesh's first unnamed faces out of this mesh's last part.
@@ -193,7 +194,7 @@ void l3d_polygon_mesh::append_parts(const l3d_polygon_mesh& more) {
         parts.push_back({part.name, part.first + first});
 }
 
-/// Expects: the faces of `more` are not added yet.
+/// Appends the materials of `more`. Expects: the faces of `more` are not added yet.
 void l3d_polygon_mesh::append_materials(const l3d_polygon_mesh& more) {
     if (face_materials.empty() && more.face_materials.empty())
         return;

@@ -20,12 +20,13 @@
 
 /// A picture that a material names, to be laid on faces.
 struct L3D_PUBLIC l3d_mesh_picture {
-    std::string name;       ///< the file's path, or the picture's place in the model's file
-    std::string bytes{};    ///< contents, if the picture lies in the model's file
-    bool repeats_u = true;  ///< whether it repeats beyond 0 to 1 in u; else its border is continued
-    bool repeats_v = true;  ///< the same in v
+    std::string name;    ///< the file's path, or the picture's place in the model's file
+    std::string bytes{}; ///< contents, if the picture lies in the model's file
+    /// Whether the picture repeats beyond 0 to 1 in u; else its border is continued.
+    bool repeats_u = true;
+    bool repeats_v = true;  ///< whether the picture repeats beyond 0 to 1 in v
     bool mirrors_u = false; ///< whether every second repetition in u is mirrored
-    bool mirrors_v = false; ///< the same in v
+    bool mirrors_v = false; ///< whether every second repetition in v is mirrored
 
     friend bool operator==(const l3d_mesh_picture&, const l3d_mesh_picture&) = default;
 };
@@ -50,23 +51,27 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// bottom right one.
     using picture_place = std::array<float, 2>;
 
-    std::vector<vector> vertices;         ///< places in the model's own coordinates
-    std::vector<std::uint32_t> corners;   ///< vertex indices, face after face
-    std::vector<std::uint32_t> face_ends; ///< per face, the end of its corners in `corners`
+    std::vector<vector> vertices;       ///< places in the model's own coordinates
+    std::vector<std::uint32_t> corners; ///< vertex indices, face after face
+    /// Per face, the index behind its last corner in `corners`.
+    std::vector<std::uint32_t> face_ends;
 
-    /// Optional, one per vertex, of any length. A zero normal is computed from the faces around.
+    /// Normals: optional, one per vertex, of any length. A normal of zero stands for one that is
+    /// computed from the faces around the vertex.
     std::vector<vector> vertex_normals;
-    /// Optional, one per vertex, 0x00RRGGBB: their light is blended over faces.
+    /// Colours of vertices: optional, one per vertex, 0x00RRGGBB. Their light is blended over
+    /// faces.
     std::vector<l3d_color> vertex_colors;
-    /// Optional, one per corner: the place in the picture of the face's material that is shown
-    /// there.
+    /// Optional, one per corner: the place in the picture of the face's material that the corner
+    /// shows.
     std::vector<picture_place> picture_places;
     std::vector<l3d_mesh_picture> pictures;    ///< pictures that l3d_material::picture names
     std::vector<l3d_color> face_colors;        ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names of the materials
-    std::vector<l3d_material> looks;           ///< optional, one per name: the look of the material
-    std::vector<l3d_part_run> parts;           ///< optional, in the order of their first faces
+    std::vector<l3d_material> looks;           ///< optional, one per entry of `materials`: its look
+    /// Named runs of faces: optional, in the order of their first faces.
+    std::vector<l3d_part_run> parts;
 
     /// The number of faces.
     std::size_t faces() const { return face_ends.size(); }
@@ -89,7 +94,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Errors: as index_of.
     void end_face() { face_ends.push_back(index_of(corners.size())); }
 
-    /// Checks that a number of corners or vertices fits the 32 bits in which the arrays hold it.
+    /// Returns a number of corners or vertices in the 32 bits in which the arrays hold it.
     /// Errors: std::length_error if it is larger.
     static std::uint32_t index_of(std::size_t number);
 
@@ -100,14 +105,15 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     vector area_vector(std::span<const std::uint32_t> face) const;
 
     /// Splits each face of four corners two of whose sides cross, as in a bow tie, into two
-    /// triangles. They meet in a new vertex at the crossing, and face the same way.
+    /// triangles. The triangles meet in a new vertex at the crossing, and face the same way as each
+    /// other.
     /// Errors: as index_of.
     void uncross_faces();
 
     /// Adds the vertices and faces of another mesh. If only one mesh has vertex normals, those of
     /// the other are zero. Faces keep their colours, materials and parts. Where only some faces
     /// have a colour or material, others get white or a material without a name.
-    /// Errors: as index_of, and nothing is changed.
+    /// Errors: as index_of; the mesh is then unchanged.
     void append(const l3d_polygon_mesh& more);
 
     /// The look of a face: that of its material, or a plain one. Its colour is multiplied by the

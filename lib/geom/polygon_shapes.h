@@ -6,14 +6,16 @@
 #include "base/public.h"
 #include "geom/polygon_mesh.h"
 
-/// A torus around the z axis: `around` times `across` quads of two triangles each.
+/// A torus around the z axis: `around` times `across` quads of two triangles each. `around` counts
+/// the quads around the axis, and `across` those around the tube.
 ///
 /// Units:   `major` from the centre to the middle of the tube, `minor` the tube's radius.
 /// Expects: around, across >= 3; 0 < minor < major.
 L3D_PUBLIC l3d_polygon_mesh l3d_torus_mesh(int around, int across, double major = 2,
                                            double minor = 0.8);
 
-/// A sphere about the origin, poles on the z axis, of 2 * around * (rows - 1) triangles.
+/// A sphere about the origin, poles on the z axis. From pole to pole it has `rows` rows, each
+/// divided into `around` parts: 2 * around * (rows - 1) triangles in all.
 /// Expects: around >= 3, rows >= 2; radius > 0.
 L3D_PUBLIC l3d_polygon_mesh l3d_sphere_mesh(int around, int rows, double radius = 1);
 

@@ -8,18 +8,18 @@
 #include <cstdint>
 #include <vector>
 
-/// A key and the index of its item.
+/// A key and the index of its item, for l3d_radix_sort.
 struct l3d_sort_item {
     std::uint32_t key = 0;   ///< the number to sort by
     std::uint32_t index = 0; ///< which of the caller's items has the key
     friend bool operator==(const l3d_sort_item&, const l3d_sort_item&) = default;
 };
 
-/// Sorts by rising key; items of equal keys keep their order.
+/// Sorts items by rising key; items of equal keys keep their order.
 ///
-/// The least significant of three digits of 11 bits comes first. Their counters, 2^11 of 4 bytes
-/// for each, take 24 KB in all and stay in the first level cache of 32 KB. All digits are counted
-/// in one pass; a digit in which all keys agree costs no pass of its own.
+/// The least significant of three digits of 11 bits comes first. Each digit has 2^11 counters of 4
+/// bytes. All counters take 24 KB, and stay in the first level cache of 32 KB. All digits are
+/// counted in one pass; a digit in which all keys agree costs no pass of its own.
 /// Cost:    linear: one pass to count, at most three to move. `other` is room for intermediate
 ///          results and keeps its memory; its contents mean nothing afterwards.
 inline void l3d_radix_sort(std::vector<l3d_sort_item>& items, std::vector<l3d_sort_item>& other) {

@@ -10,7 +10,8 @@
 #include <cstdint>
 
 /// A sequence of random numbers from a seed, the same with every implementation of C++. The
-/// distributions of the C++ library would differ, and with them every picture made from a seed.
+/// distributions of the C++ library differ between implementations, so pictures made from a seed
+/// would differ, too.
 ///
 /// Cost:    a product, an addition, a few shifts; 8 bytes. The period is 2^64.
 /// Source:  O'Neill, PCG: A Family of Simple Fast Space-Efficient Statistically Good Algorithms for

@@ -22,7 +22,8 @@
 using l3d_real = float;
 /// A symbol that only libraries built for float define.
 L3D_PUBLIC extern const char l3d_built_with_float_real;
-/// Makes every program for float refer to that symbol, so that it links with no other library.
+/// Makes every program for float refer to l3d_built_with_float_real. So the program does not link
+/// with a library that is built for another number type.
 [[gnu::used]] inline constexpr const char* l3d_needs_float_real = &l3d_built_with_float_real;
 #elif defined(L3D_REAL_DOUBLE)
 using l3d_real = double;
@@ -47,7 +48,7 @@ template <class T> struct l3d_real_traits;
 template <std::floating_point T> struct L3D_PUBLIC l3d_real_traits<T> {
     static constexpr double unit_roundoff =
         sizeof(T) == 4 ? 0x1p-24 : 0x1p-53; ///< largest relative error of an operation
-    static constexpr double half_ulp = 0;   ///< largest absolute error beyond that
+    static constexpr double half_ulp = 0;   ///< 0: errors are in proportion to the result
 
     /// The nearest number of this type.
     static constexpr T from_double(double value) noexcept { return static_cast<T>(value); }
@@ -55,15 +56,15 @@ template <std::floating_point T> struct L3D_PUBLIC l3d_real_traits<T> {
     static constexpr double to_double(T value) noexcept { return value; }
 };
 
-/// The properties of fixed point numbers, whose rounding is the same everywhere.
+/// The properties of fixed point numbers, whose rounding errors have one bound for all results.
 template <class Storage, int FractionBits, l3d_overflow Overflow>
 struct L3D_PUBLIC l3d_real_traits<l3d_fixed<Storage, FractionBits, Overflow>> {
     /// The number type itself.
     using fixed = l3d_fixed<Storage, FractionBits, Overflow>;
-    static constexpr double unit_roundoff = 0; ///< no error grows with the result
-    static constexpr double half_ulp =
-        0.5 /
-        static_cast<double>(std::uint64_t{1} << FractionBits); ///< half a step between neighbours
+    /// Largest relative error: 0, since the bound of an error does not depend on the result's size.
+    static constexpr double unit_roundoff = 0;
+    /// Half of the step between neighbouring numbers.
+    static constexpr double half_ulp = 0.5 / static_cast<double>(std::uint64_t{1} << FractionBits);
 
     /// The nearest number of this type.
     static constexpr fixed from_double(double value) noexcept { return fixed(value); }

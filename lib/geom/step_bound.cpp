@@ -12,8 +12,8 @@ point second_difference(const point& a, const point& b, const point& c) {
     return a - b * 2.0 + c;
 }
 
-/// Norm of a difference D of homogeneous points: the largest |D (x, y) - X0 D w| / w_low over
-/// places X0 in the disc around a box.
+/// The size in the image of a difference D of homogeneous points: the largest |D (x, y) - X0 D w| /
+/// w_low over places X0 in the disc around a box.
 class seen_in {
 public:
     seen_in(const l3d_image_box& box, double w_low)

@@ -17,7 +17,7 @@ using l3d_image_point = l3d_vector<double, 3>;
 using l3d_image_curve = l3d_bezier_curve<double, 3>;
 using l3d_image_patch = l3d_bezier_patch<double, 3>;
 
-/// An upright rectangle of the image. Units: pixels from the picture's centre.
+/// An axis-aligned rectangle of the image. Units: pixels from the picture's centre.
 struct l3d_image_box {
     double left = 0, top = 0, right = 0, bottom = 0;
 
@@ -36,7 +36,7 @@ struct l3d_image_box {
     double reach() const { return std::max({-left, -top, right, bottom}); }
 };
 
-/// Least and largest w of control points.
+/// The least and the largest w of a net's control points, which bound w on its curve or patch.
 struct l3d_depth_range {
     double least = 0, most = 0;
 };
@@ -46,13 +46,14 @@ l3d_depth_range l3d_depth_range_of(std::span<const l3d_image_point> net);
 /// Expects: every w > 0.
 l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
 
-/// Whether the net lies wholly beyond one side of `box`, or wholly at w <= near or w >= far. The
-/// test is made on homogeneous half-spaces, so it holds for points at and behind the eye too.
+/// Whether the net lies wholly beyond one side of `box`, or wholly at w <= near or w >= far. Its
+/// curve or patch then cannot be seen. The test is made on homogeneous half-spaces, so it holds for
+/// points at and behind the eye too.
 bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near,
                  double far = std::numeric_limits<double>::infinity());
 
 /// A control net that computes its depth range and its box when they are first asked for, and keeps
-/// them.
+/// both.
 /// Expects: its points do not change afterwards.
 class l3d_image_net : public l3d_image_patch {
 public:
@@ -77,8 +78,8 @@ private:
 /// Units: pixels.
 std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 
-/// Bounds of a piece's second derivatives as seen in the image, by the piece's own parameters. They
-/// bound the error of drawing it in straight steps.
+/// Bounds of the second derivatives of a piece of a curve or patch as seen in the image, by the
+/// piece's own parameters. They bound the error of drawing the piece in straight steps.
 ///
 /// Instead of the surface, the interpolant L of homogeneous points is drawn, whose image X0 lies
 /// inside `visible`. With S = (x, y, w) the exact point of the same parameters,
@@ -94,17 +95,17 @@ std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 struct l3d_second_bounds {
     double uu = 0, uv = 0, vv = 0;
 
-    /// Error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. It also bounds a
-    /// folded quad, which is drawn as four triangles around its centre. On each of them, s t
-    /// differs from its linear interpolant by at most 1/16. The coefficient of s t is the mixed
-    /// difference, at most uv / (nu nv).
+    /// A bound of the error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. It
+    /// also bounds a folded quad, which is drawn as four triangles around its centre. Let s and t
+    /// run from 0 to 1 over the quad. On each triangle, s t differs from its linear interpolant by
+    /// at most 1/16. The coefficient of s t is the mixed difference, at most uv / (nu nv).
     double quad_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 16;
     }
 
-    /// Error of two triangles in place of the quad. There, s t differs from its linear interpolant
-    /// by at most 1/4.
+    /// A bound of the error of two triangles that are drawn in place of the quad. On each of them,
+    /// s t differs from its linear interpolant by at most 1/4.
     double triangle_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 4;
@@ -159,10 +160,10 @@ constexpr double l3d_balanced_error(int n) {
     return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
 }
 
-/// By what factor coordinates of balanced vertices may exceed the net's, if each quarter of the
-/// patch has at least two steps. Then h is at most 1/8. Vertices move by at most l3d_balance / 64
-/// times second derivatives, along u and along v, and by both. These derivatives are at most 6 * 4
-/// times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
+/// The factor by which coordinates of balanced vertices may exceed the net's, if each quarter of
+/// the patch has at least two steps. Then h is at most 1/8. Vertices move by at most l3d_balance /
+/// 64 times second derivatives, along u and along v, and by both. These derivatives are at most 6 *
+/// 4 times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
 inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 
 /// The curve f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.

@@ -26,7 +26,7 @@ edge edge_between(std::uint32_t a, std::uint32_t b) {
     return std::minmax(a, b);
 }
 
-/// The faces at an edge. The first walks from the edge's smaller vertex to the larger one.
+/// The faces at an edge. The first face walks from the edge's smaller vertex to the larger one.
 struct sides_of_edge {
     static constexpr std::uint32_t nothing = 0xffffffff;
     std::uint32_t faces[2] = {nothing, nothing};
@@ -75,8 +75,8 @@ private:
         return "";
     }
 
-    /// Complains of a vertex whose faces make more than one fan, so that edges do not join all of
-    /// them.
+    /// Complains of a vertex whose faces make more than one fan, so that edges at the vertex do not
+    /// join all of these faces.
     std::string complaint_of_fans() const {
         // A fan has as many edges as faces, or one edge more if it is open.
         std::vector<std::uint32_t> faces(mesh_.vertices.size());
@@ -109,8 +109,8 @@ private:
         return size;
     }
 
-    /// The face beyond the edge with which face `index` leaves a vertex, or comes to it. `nothing`
-    /// if the edge is a boundary.
+    /// The face on the other side of an edge: the edge by which face `index` leaves a vertex, or
+    /// comes to it if not `leaves`. `nothing` if the edge is a boundary.
     std::uint32_t beyond(std::uint32_t index, std::uint32_t vertex, bool leaves) const {
         const auto face = mesh_.face(index);
         const auto at = static_cast<std::size_t>(std::ranges::find(face, vertex) - face.begin());
@@ -222,7 +222,7 @@ double size_of(const l3d_polygon_mesh& mesh) {
     return l3d_length(most - least);
 }
 
-/// Arrays of a cage that the model's file does not hold in the plug-in's form.
+/// Arrays of a cage that the plug-in needs in another form than the model has them.
 struct cage_arrays {
     std::vector<double> places;
     std::vector<std::uint32_t> corner_vertices;

@@ -19,21 +19,22 @@ struct L3D_PUBLIC l3d_cage_tags {
     /// is a crease for ever.
     struct crease {
         std::uint32_t from, to; ///< indices of vertices
-        float sharpness;        ///< not negative
+        float sharpness;        ///< number of subdivisions; not negative
 
         friend bool operator==(const crease&, const crease&) = default;
     };
     /// A vertex that stays sharp for `sharpness` subdivisions.
     struct corner {
-        std::uint32_t vertex; ///< its index
-        float sharpness;      ///< as a crease's
+        std::uint32_t vertex; ///< index of the vertex
+        float sharpness;      ///< number of subdivisions, as for a crease
 
         friend bool operator==(const corner&, const corner&) = default;
     };
-    std::vector<crease> creases;         ///< sharp edges
-    std::vector<corner> corners;         ///< sharp vertices
-    std::vector<std::uint32_t> holes;    ///< indices of faces without a surface
-    std::optional<bool> keeps_corners{}; ///< whether a boundary's corners are sharp
+    std::vector<crease> creases;      ///< sharp edges
+    std::vector<corner> corners;      ///< sharp vertices
+    std::vector<std::uint32_t> holes; ///< indices of faces without a surface
+    /// Whether a boundary's corners are sharp; nothing if the file does not say.
+    std::optional<bool> keeps_corners{};
 
     friend bool operator==(const l3d_cage_tags&, const l3d_cage_tags&) = default;
 };
@@ -41,16 +42,17 @@ struct L3D_PUBLIC l3d_cage_tags {
 /// The treatment of the corners of boundaries: vertices that belong to only one face.
 enum class L3D_PUBLIC l3d_cage_boundary {
     as_tagged, ///< as the file's tags say; sharp if they say nothing
-    corners,   ///< sharp
-    smooth,    ///< rounded
+    corners,   ///< corners are sharp
+    smooth,    ///< corners are rounded
 };
 
 /// Settings of l3d_subdivide.
 struct L3D_PUBLIC l3d_subdivision {
-    /// The permitted distance from the limit surface, as a share of the diagonal of the cage's box.
-    /// At 2^-13, a model over 1000 pixels is off by an eighth of a pixel at most.
+    /// The permitted distance from the limit surface, as a share of the diagonal of the cage's
+    /// bounding box. At 2^-13, a model 1000 pixels large is off by an eighth of a pixel at most.
     double error = 0x1p-13;
-    /// The largest angle between smooth neighbours; beyond, edges are creases. Units: degrees.
+    /// The largest angle between the normals of faces that join smoothly. Where the angle is
+    /// larger, their common edge becomes a crease. Units: degrees.
     double crease_angle = 180;
     l3d_cage_boundary boundary = l3d_cage_boundary::as_tagged; ///< the corners of boundaries
 };
@@ -59,7 +61,7 @@ struct L3D_PUBLIC l3d_subdivision {
 /// Most patches are exact. Those at irregular vertices are within the model's patch_errors of the
 /// limit surface (docs/NUMERICS.md, section 29). A note tells the error that was reached.
 ///
-/// It needs the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
+/// The function needs the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
 /// Errors: false, and `why` = "name: reason", for a mesh without faces. Also if an edge belongs to
 ///         more than two faces, or to two that turn opposite ways, or if faces meet in nothing but
 ///         a vertex. Also if a face has a vertex twice, or the plug-in is missing.

@@ -97,7 +97,7 @@ inline l3d_turn l3d_turn_by(double degrees) noexcept {
     }
 }
 
-/// The map that multiplies the three coordinates.
+/// The map that multiplies the three coordinates by x, y and z.
 template <class T> l3d_matrix<T> l3d_scaling(double x, double y, double z) noexcept {
     l3d_matrix<T> m = l3d_identity<T>();
     m(0, 0) = l3d_from_double<T>(x);
@@ -135,7 +135,8 @@ template <class T> l3d_matrix<T> l3d_rotation_z(double degrees) noexcept {
     return l3d_detail::turning<T>(0, 1, degrees);
 }
 
-/// The same turn or scaling about another centre than the origin: T(c) m T(-c).
+/// The turn or scaling m with `centre` as its fixed point instead of the origin: T(c) m T(-c),
+/// where T(c) moves points by c.
 template <class T>
 l3d_matrix<T> l3d_about(const l3d_point<double>& centre, const l3d_matrix<T>& m) noexcept {
     return l3d_translation<T>(centre[0], centre[1], centre[2]) * m *
@@ -256,8 +257,8 @@ template <class T> std::optional<l3d_matrix<T>> l3d_inverted(const l3d_matrix<T>
 }
 
 /// Makes the axes of m, its first three columns, unit vectors at right angles. This undoes the
-/// rounding of long products of turns. The first axis keeps its direction. The second stays in the
-/// plane of both. Column 3, the origin, and row 3 stay.
+/// rounding of long products of turns. The first axis keeps its direction. The second axis stays in
+/// the plane of the first two. Column 3, the origin, and row 3 stay.
 ///
 /// Errors:  nothing if the axes lie in a plane, or so near to it that rounding decides.
 /// Cost:    in double for every T, then rounded.
@@ -324,7 +325,7 @@ template <class T> std::optional<l3d_point<T>> l3d_homogenized(const l3d_vector<
 }
 
 /// The unit normal of a plane that m has moved. It is found by the inverse transpose of m, which
-/// keeps it perpendicular however unequally m scales.
+/// keeps the normal perpendicular however unequally m scales.
 /// Errors:  nothing if m is singular.
 template <class T>
 std::optional<l3d_vector<T, 3>> l3d_transformed_normal(const l3d_matrix<T>& m,

@@ -15,13 +15,14 @@
 #include <type_traits>
 
 /// A vector of N components of type T, which is GLM's own type: v[i] or v.x, v.y, v.z, v.w; +, -, *
-/// and / by a number, ==. All functions of glm:: that take vectors take it, and so do those below.
+/// and / by a number, ==. Functions of glm:: that take vectors accept it, and so do the functions
+/// below.
 ///
 /// Shape:   2 <= N <= 4. It holds nothing but the numbers, one after another. It is uninitialised,
 ///          as a number is; l3d_vector<T, N>{} is all zero.
 ///
-/// Fixed point has GLM's layout and operators, but only the functions below. GLM's functions would
-/// round each product by itself.
+/// Vectors of fixed point have GLM's layout and operators, but are only for the functions below.
+/// GLM's functions would round each product by itself.
 template <class T, int N> using l3d_vector = glm::vec<N, T, glm::defaultp>;
 
 /// The opposite vector. GLM's own operator needs numbers that an int converts to implicitly.

@@ -9,7 +9,7 @@
 #include <chrono>
 #include <string>
 
-/// Keys that have no printable character. A printable key is its ASCII code.
+/// Keys that have no printable character. The number of a printable key is its ASCII code.
 enum l3d_key : int {
     l3d_key_backspace = 8,
     l3d_key_tab = 9,
@@ -42,7 +42,7 @@ enum class L3D_PUBLIC l3d_event_type {
     /// A button of the mouse came up.
     button_release,
     /// The pointer moved while a button was held, or at any time if l3d_screen::set_pointer asked
-    /// for that.
+    /// for all motion.
     pointer_motion,
     /// The wheel turned.
     wheel,
@@ -52,11 +52,12 @@ enum class L3D_PUBLIC l3d_event_type {
     expose,
     /// Nothing of the window can be seen until the next expose or reveal.
     hide,
-    /// Part of the window can be seen again. If it lost its picture, expose follows.
+    /// Part of the window can be seen again. If that part lost its picture, expose follows.
     reveal,
-    /// The user wants the window to cover the whole display, or to end that: F11, Alt+Enter.
+    /// The user wants the window to cover the whole display, or to cover it no longer: F11,
+    /// Alt+Enter.
     fullscreen,
-    /// The user wants the end, or somebody destroyed the window.
+    /// The user wants the program to end, or somebody destroyed the window.
     close,
     /// The display went away; nothing can be shown any more.
     display_lost,
@@ -73,12 +74,12 @@ struct L3D_PUBLIC l3d_event {
     int button = 0;
     /// key_*, button_*, pointer_motion, wheel: the pointer's column, in pixels.
     int x = 0;
-    /// The pointer's row, for the same types.
+    /// key_*, button_*, pointer_motion, wheel: the pointer's row, in pixels.
     int y = 0;
-    /// resize: the new size.
+    /// resize: the new size of the picture.
     l3d_size size{};
-    /// wheel: how far it turned, in notches; positive away from the user. Fine wheels and touchpads
-    /// turn by parts of a notch.
+    /// wheel: how far the wheel turned, in notches; positive away from the user. Fine wheels and
+    /// touchpads turn by parts of a notch.
     double turn = 0;
     /// wheel: the whole notches that this turn completes, for programs that count steps. It is 0
     /// while a fine wheel is on its way to the next notch.
@@ -87,17 +88,18 @@ struct L3D_PUBLIC l3d_event {
     int clicks = 0;
     /// key_*, button_*, pointer_motion, wheel: whether Shift was held just before the event.
     bool shift = false;
-    /// Whether Ctrl was held, for the same types.
+    /// key_*, button_*, pointer_motion, wheel: whether Ctrl was held just before the event.
     bool control = false;
-    /// Whether Alt was held, for the same types.
+    /// key_*, button_*, pointer_motion, wheel: whether Alt was held just before the event.
     bool alt = false;
-    /// Whether the key with the sign of a system or a maker was held, for the same types.
+    /// key_*, button_*, pointer_motion, wheel: whether the key with the sign of a system or a maker
+    /// was held just before the event.
     bool logo = false;
     /// key_press: whether the key was down already, and repeats.
     bool repeat = false;
-    /// key_press: the text that it types, in UTF-8. It is empty with Ctrl, Alt or the logo key, and
-    /// for keys that type nothing. A dead key types nothing itself, but changes the text of the
-    /// next key.
+    /// key_press: the text that the key types, in UTF-8. It is empty with Ctrl, Alt or the logo
+    /// key, and for keys that type nothing. A dead key types nothing itself, but changes the text
+    /// of the next key.
     std::string text{};
     /// pointer_motion: how far a held pointer has moved to the right since the last such event;
     /// 0 if the pointer is not held. Units: pixels.
@@ -121,8 +123,8 @@ public:
     /// Takes the next pending event without waiting; false if there is none.
     bool next_event(l3d_event& event) { return do_next_event(event); }
 
-    /// Sleeps until an event is pending or the time is over, whichever is first. It may wake up
-    /// earlier. Data to read from the file descriptor `waker` wakes it, too; -1 stands for no file.
+    /// Sleeps until an event is pending or the time is over, whichever is first. The sleep may end
+    /// earlier. Data to read from the file descriptor `waker` ends it, too; -1 stands for no file.
     void wait(std::chrono::nanoseconds longest, int waker = -1) { do_wait(longest, waker); }
 
 private:

@@ -49,7 +49,7 @@ public:
     l3d_image(const l3d_image& other) : l3d_image(other.size_, other.stride_) {
         std::copy_n(other.words_.get(), word_count(size_, stride_), words_.get());
     }
-    /// Takes the words of the other image over, and leaves that empty.
+    /// Takes over the words of the other image, which is then empty.
     l3d_image(l3d_image&& other) noexcept
         : words_(std::move(other.words_)), size_(std::exchange(other.size_, {})),
           stride_(std::exchange(other.stride_, 0)) {}
@@ -120,7 +120,8 @@ L3D_PUBLIC void l3d_write_ppm(const std::string& path, const l3d_pixels& pixels)
 L3D_PUBLIC void l3d_write_pfm(const std::string& path, int width, int height,
                               std::span<const float> values);
 
-/// Writes a grey PFM, as the function above does, into an open file, for streams.
+/// Writes a picture of floats as a grey PFM into an open file, for streams.
+/// Shape, Expects: as for the function that takes a path.
 /// Errors:  l3d_error(failure) that gives `name` and the system's reason.
 L3D_PUBLIC void l3d_write_pfm(std::FILE* file, const std::string& name, int width, int height,
                               std::span<const float> values);
@@ -157,9 +158,9 @@ L3D_PUBLIC l3d_image l3d_read_image(const std::string& path,
 L3D_PUBLIC l3d_image l3d_decoded_image(const std::string& bytes, const std::string& name,
                                        std::int64_t most_pixels = l3d_most_image_pixels);
 
-/// Whether a file holds a whole PNG or PPM of that size. The ending of its name says which kind, as
-/// for l3d_write_image. The result is false, without a reason, for a file that is missing, cut off
-/// or damaged.
+/// Whether a file holds a whole PNG or PPM picture of this size. The ending of its name says which
+/// kind, as for l3d_write_image. The result is false, without a reason, for a file that is missing,
+/// cut off or damaged.
 /// Cost:    reads and unpacks the file.
 L3D_PUBLIC bool l3d_is_whole_image(const std::string& path, l3d_size size);
 

@@ -72,7 +72,7 @@ std::size_t ppm_bytes(l3d_size size) {
     return rgb_bytes * static_cast<std::size_t>(size.width) * static_cast<std::size_t>(size.height);
 }
 
-/// A picture that libpng reads in several calls. Its memory is freed at the end.
+/// A picture that libpng reads in several calls. Its memory is freed with the object.
 struct png_picture : png_image {
     png_picture() : png_image{} { version = PNG_IMAGE_VERSION; }
     png_picture(const png_picture&) = delete;

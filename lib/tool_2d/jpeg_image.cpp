@@ -70,8 +70,8 @@ private:
         info->err->format_message(info, self->why_.data());
         std::longjmp(self->back_, 1);
     }
-    /// Treats damages as errors. Their level is below 0, and other messages only tell of the file's
-    /// contents.
+    /// Treats reports of damage as errors. Their level is below 0; messages of other levels only
+    /// tell of the file's contents.
     static void warn(j_common_ptr info, int level) {
         if (level < 0)
             fail(info);

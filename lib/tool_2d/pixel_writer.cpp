@@ -232,7 +232,7 @@ void pixel_writer::write_pixels(std::span<const std::uint32_t> words, int y,
         store<Order, Bytes>(pixel_of(words[x], x), bytes + x * Bytes);
 }
 
-/// Copies words that are native pixels already.
+/// Writes a row of words that are native pixels already, by copying them.
 void pixel_writer::copy_words(std::span<const std::uint32_t> words, int,
                               std::uint8_t* bytes) const {
     std::memcpy(bytes, words.data(), words.size_bytes());

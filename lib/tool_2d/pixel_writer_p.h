@@ -48,10 +48,11 @@ public:
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,
                    std::uint8_t* bytes) const;
 
-    /// Widens a part, within the picture, to whole columns of the dither's 8 x 8 squares.
+    /// Widens a part, within the picture, to whole columns of the dither's 8 x 8 squares, for
+    /// write().
     static l3d_pixel_box writable_part(const l3d_pixel_box& part, l3d_size size);
 
-    /// The native pixels that show a part.
+    /// The box of native pixels that shows a part of the picture.
     l3d_pixel_box native_part(const l3d_pixel_box& part, l3d_size native) const {
         return part.scaled(scale_).intersected(l3d_whole(native));
     }
@@ -63,8 +64,8 @@ public:
                std::uint8_t* bytes, std::ptrdiff_t bytes_per_line) const;
 
 private:
-    /// Maps a channel value to 64 i + n. On a square of 8 x 8, n pixels then show level i + 1, the
-    /// others level i.
+    /// Maps a channel value to 64 i + n. On a dithered square of 8 x 8, n pixels show level i + 1,
+    /// the others level i.
     using dither_table = std::array<std::uint16_t, 256>;
 
     // Each kind of pixel is made for one row, and converts that row's words.

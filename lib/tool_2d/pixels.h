@@ -48,7 +48,7 @@ struct L3D_PUBLIC l3d_pixels {
         return {words + y * stride, static_cast<std::size_t>(width)};
     }
 
-    /// Whether both are views of the same words in memory.
+    /// Whether both are views of the same words in memory, in the same shape.
     friend bool operator==(const l3d_pixels&, const l3d_pixels&) = default;
 };
 
@@ -84,7 +84,7 @@ struct L3D_PUBLIC l3d_pixel_box {
                 std::max(bottom, other.bottom)};
     }
 
-    /// The box in a picture that shows each pixel as a square of scale x scale.
+    /// The place of this box in an enlarged picture, where each pixel is a square of scale x scale.
     l3d_pixel_box scaled(int scale) const {
         return {scale * left, scale * top, scale * right, scale * bottom};
     }

@@ -14,7 +14,7 @@ namespace l3d_detail {
 /// A picture as numbers, such as heights.
 struct png_levels {
     l3d_size size;
-    std::vector<double> means; ///< means of red, green and blue, row by row; white is 1
+    std::vector<double> means; ///< for each pixel, the mean of red, green and blue; white is 1
 };
 
 /// Decodes a PNG file's bytes into the levels that are stored, without regard to alpha and gamma.

@@ -36,8 +36,8 @@ using l3d_probes = std::vector<l3d_probe>;
 
 /// The motion of the pointer that a program hears of.
 enum class L3D_PUBLIC l3d_pointer {
-    dragged,  ///< its motion while a button is held
-    followed, ///< all its motion over the window
+    dragged,  ///< the pointer's motion while a button is held
+    followed, ///< all of the pointer's motion over the window
     /// The pointer is hidden and kept in the window. Its motion, which has no end, is told by
     /// l3d_event::right and down. First-person views turn by it. A window without the keyboard lets
     /// the pointer go.
@@ -67,16 +67,16 @@ public:
             do_show(inside);
     }
 
-    /// Whether the last picture shown has not reached the display yet. Another one would only take
-    /// its place.
+    /// Whether the last picture shown has not reached the display yet. Another picture would only
+    /// take its place.
     bool is_busy() const { return do_is_busy(); }
 
     /// Whether a close event has come that next_event has not yet given. Unlike next_event, it may
     /// be called while another thread draws: the pixels stay as they are.
     bool is_to_close() { return do_is_to_close(); }
 
-    /// Whether the screen is a window that somebody sees. Then events come, and time is that of the
-    /// clock.
+    /// Whether the screen is a window that somebody sees. If so, events come, and animations run by
+    /// the clock.
     bool is_window() const { return do_is_window(); }
 
     /// The rate at which new pictures make sense if the user gives none.
@@ -84,10 +84,11 @@ public:
     double usual_fps() const { return do_usual_fps(); }
 
     /// The factor by which text must be larger than on a display of 96 dots an inch to be read as
-    /// easily; at least 1. It is 1.5 if the user has set 144 dots an inch and the scale is 1.
+    /// easily; at least 1. It is 1.5 if the user has set 144 dots an inch and
+    /// l3d_screen_request::scale is 1.
     double text_scale() const { return do_text_scale(); }
 
-    /// Whether pictures travel over a slow line: moving parts are coarse there, and still parts
+    /// Whether pictures travel over a slow line. If so, moving parts are coarse, and still parts
     /// cost nothing.
     bool is_slow() const { return do_is_slow(); }
 
@@ -105,16 +106,18 @@ public:
     /// Whether the window covers the whole display.
     bool is_fullscreen() const { return do_is_fullscreen(); }
 
-    /// One line for --verbose and --diagnose: kind, depth, bits per pixel, byte order.
+    /// Describes the screen in one line for --verbose and --diagnose: kind, depth, bits per pixel,
+    /// byte order.
     std::string describe() const { return do_describe(); }
 
-    /// One line for the user if something has become worse since the last call; else empty.
+    /// Gives one line for the user if something has become worse since the last call; else an empty
+    /// text.
     std::string take_remark() { return do_take_remark(); }
 
 private:
     virtual l3d_pixels do_pixels() = 0;
     virtual const l3d_screen_info& do_info() const = 0;
-    /// Expects: the part is not empty and lies in the picture.
+    /// Shows a part of the pixels. Expects: the part is not empty and lies in the picture.
     virtual void do_show(const l3d_pixel_box& part) = 0;
     virtual bool do_is_busy() const { return false; }
     virtual bool do_is_to_close() { return false; }
@@ -155,7 +158,7 @@ struct L3D_PUBLIC l3d_screen_request {
 
 /// How well a kind of screen can serve here and now.
 struct L3D_PUBLIC l3d_service {
-    /// How well, from best to worst.
+    /// How well the kind of screen serves, from best to worst.
     enum class level {
         fully,        ///< it serves as its name says
         partly,       ///< it serves, but in another way than its name says

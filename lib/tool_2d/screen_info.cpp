@@ -34,7 +34,7 @@ table bits_of(l3d_channel channel) {
 }
 
 /// For each channel value, the place of its nearest level among the palette's pixels: the level
-/// times the distance between neighbouring levels there.
+/// times the distance between neighbouring levels of the channel.
 table places_of(int levels, int distance) {
     table places{};
     for (int value = 0, level = 0; value < 256; ++value) {

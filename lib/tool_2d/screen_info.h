@@ -30,8 +30,8 @@ L3D_PUBLIC const char* l3d_name_of(l3d_color_class color_class);
 
 /// The description that a display gives of its pixels. The defaults are those of l3d_pixels itself.
 ///
-/// Expects: each mask is one run of ones, at most 16 wide, and no two overlap. All are 0 if pixels
-///          only count the cells of a map.
+/// Expects: each mask is one run of ones, at most 16 wide, and no two overlap. All masks are 0 if a
+///          pixel is only the number of a cell in a map of colours.
 struct L3D_PUBLIC l3d_pixel_layout {
     int depth = 24;                               ///< bits of a pixel that mean something
     int bits_per_pixel = 32;                      ///< bits that a pixel takes in memory
@@ -42,16 +42,16 @@ struct L3D_PUBLIC l3d_pixel_layout {
     int scanline_pad = 32; ///< bits; every row starts at a multiple of this number
     l3d_color_class color_class = l3d_color_class::true_color; ///< how colours are found
 
-    /// One phrase: class, depth, bits per pixel, byte order, masks.
+    /// Describes the layout in one phrase: class, depth, bits per pixel, byte order, masks.
     std::string describe() const;
 
     friend bool operator==(const l3d_pixel_layout&, const l3d_pixel_layout&) = default;
 };
 
-/// Where one channel sits in a native pixel.
+/// The bits in which a native pixel holds one channel: red, green or blue.
 struct L3D_PUBLIC l3d_channel {
-    int shift = 0; ///< zero bits below it
-    int width = 0; ///< bits; 0 if pixels have no channels
+    int shift = 0; ///< the number of bits below the channel's
+    int width = 0; ///< the number of the channel's bits; 0 if pixels have no channels
 };
 
 /// The native pixels that show our colours on a display with few: a cube of colours, or a ramp of
@@ -72,7 +72,8 @@ struct L3D_PUBLIC l3d_palette {
     /// Whether the palette has grays only.
     bool is_ramp() const { return green == 1; }
 
-    /// The channel value, 0..255, of a level: level * 255 / (levels - 1), to nearest.
+    /// The channel value, 0..255, of one of a palette's levels: level * 255 / (levels - 1), to
+    /// nearest.
     /// Expects: levels >= 2.
     static int value_of(int level, int levels) {
         return (2 * 255 * level + levels - 1) / (2 * (levels - 1));
@@ -98,11 +99,11 @@ public:
     bool has_palette() const { return !palette_.pixels.empty(); }
     /// Bytes that a pixel takes in memory.
     int bytes_per_pixel() const { return layout_.bits_per_pixel / 8; }
-    /// Where red sits; no bits if pixels have no channels.
+    /// The bits of red; none if pixels have no channels.
     l3d_channel red() const { return red_; }
-    /// Where green sits; no bits if pixels have no channels.
+    /// The bits of green; none if pixels have no channels.
     l3d_channel green() const { return green_; }
-    /// Where blue sits; no bits if pixels have no channels.
+    /// The bits of blue; none if pixels have no channels.
     l3d_channel blue() const { return blue_; }
 
     /// The bits that are set in every native pixel. On a 32-bit deep display these are the bits
@@ -112,7 +113,7 @@ public:
     /// Whether a pixel word, as this machine stores it, already is the native pixel.
     bool native_is_word() const;
 
-    /// One phrase: the layout, and the palette if there is one.
+    /// Describes the format in one phrase: the layout, and the palette if there is one.
     std::string describe() const;
 
     /// Darkens a word's colour: multiplies each channel by intensity / 255, and rounds to nearest.

@@ -21,7 +21,7 @@ class pixel_writer;
 /// Lives:   borrows the bytes.
 struct L3D_PUBLIC l3d_packed_pixels {
     std::uint8_t* bytes = nullptr; ///< the first byte of the top row
-    l3d_size size{};               ///< in pixels
+    l3d_size size{};               ///< width and height, in pixels
     std::ptrdiff_t pitch = 0;      ///< bytes from one row to the next
     l3d_pixel_layout layout{}; ///< 8, 16, 24 or 32 bits for each pixel, and the masks of colours
 };
@@ -55,20 +55,21 @@ private:
     bool do_next_event(l3d_event&) override { return false; }
     void do_wait(std::chrono::nanoseconds, int) override {}
 
-    l3d_image image_;  ///< empty around given words
+    l3d_image image_;  ///< the screen's own words; empty if they were given
     l3d_pixels words_; ///< the words of image_, or the given ones
     l3d_packed_pixels packed_{};
     l3d_screen_info info_;
     std::unique_ptr<l3d_detail::pixel_writer> writer_; ///< writes packed pixels; null without them
 };
 
-/// Makes screens without a display; serves everywhere.
+/// Makes screens without a display. They can be made everywhere.
 class L3D_PUBLIC l3d_screen_factory_memory final : public l3d_screen_factory {
 private:
-    /// Errors:  none.
+    /// Tells that the screens serve, but are not seen. Errors: none.
     l3d_service do_service() const override { return {.is_seen = false}; }
 
-    /// Errors:  null, with the size in the reason, if there is not enough memory for it.
+    /// Makes a screen. Errors: null, with the size in the reason, if there is not enough memory for
+    /// it.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
 };

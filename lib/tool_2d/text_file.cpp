@@ -19,11 +19,11 @@ namespace {
 
 /// The limit of a file's size. A mesh counts in 32 bits, and so does the container of glTF.
 constexpr std::uint64_t most_of_file = std::uint64_t{1} << 32;
-/// The limit for pipes. One that gives more may have no end, as /dev/zero, and no model is so
+/// The limit for pipes. A pipe that gives more may have no end, as /dev/zero, and no model is so
 /// large.
 constexpr std::uint64_t most_of_stream = std::uint64_t{256} << 20;
-/// The longest wait for the first byte. A shell starts both ends of a pipe together, but one of
-/// them comes first.
+/// The longest wait for a pipe's first byte. A shell starts the programs at both ends together, but
+/// one of them comes first.
 constexpr int patience_ms = 2000;
 
 /// An open file. Opening a pipe does not wait for a program at its other end.

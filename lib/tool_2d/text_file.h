@@ -6,8 +6,8 @@
 #include <string>
 
 /// Reads a whole file for all readers of formats. Limits of size and time keep readers from hanging
-/// or growing without end. A file may have 4 GB, a pipe or a device 256 MB. If nobody opens the
-/// other end of a pipe within two seconds, it is given up.
+/// or growing without end. A file may have 4 GB, a pipe or a device 256 MB. The function gives up a
+/// pipe if nobody opens its other end within two seconds.
 /// Errors: l3d_error(bad_input) that names the path, and the system's reason or the limit.
 std::string l3d_read_text_file(const std::string& path);
 

@@ -199,7 +199,7 @@ private:
             (cameras_.back().*place)[i] = number_of(line.value());
     }
 
-    /// The number that `digits` spells; NaN if it spells none.
+    /// The number that `digits` spells; NaN if the text is no number.
     static double number_of(std::string_view digits) {
         double value = 0;
         const auto [end, error] =
@@ -364,8 +364,9 @@ private:
     l3d_detail::face_materials materials_;
     std::string object_;                    ///< the name of the current object
     bool has_new_name_ = false;             ///< whether no mesh or camera has taken the name yet
-    std::int64_t vertices_ = 0, faces_ = 0; ///< promised by the current mesh
-    std::size_t base_ = 0, first_face_ = 0; ///< the mesh's first vertex and face
+    std::int64_t vertices_ = 0, faces_ = 0; ///< numbers that the current mesh promised
+    /// Indices of the current mesh's first vertex and first face.
+    std::size_t base_ = 0, first_face_ = 0;
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };

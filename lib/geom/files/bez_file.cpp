@@ -10,7 +10,7 @@ namespace {
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// The header that the first word gives: [ST]BBP or [C]BEZ<u><v><n>[_ST].
+/// The kind of a file, by the first word: [ST]BBP or [C]BEZ<u><v><n>[_ST].
 struct bez_kind {
     int degree_u = 3, degree_v = 3, components = 3;
     bool color = false, texture = false;

@@ -23,7 +23,7 @@ using vector = l3d_nurbs_surface::vector;
 
 constexpr std::size_t most_notes = 20;
 
-/// Whether a text ends as its format demands.
+/// Whether a STEP or IGES text ends as its format demands, so that it is not cut off.
 bool is_whole(std::string_view text, bool is_iges) {
     constexpr std::size_t column = 72; // an IGES line has a letter for its kind there
     while (text.ends_with('\n') || text.ends_with('\r') || text.ends_with(' '))
@@ -35,7 +35,8 @@ bool is_whole(std::string_view text, bool is_iges) {
     return last.size() > column && last[column] == 'T';
 }
 
-/// Splits records of four numbers into points and weights. Weights are left out if all are equal.
+/// Splits an array of four numbers a point into points and weights. Weights are left out if all are
+/// equal.
 struct weighted_points {
     std::vector<vector> points;
     std::vector<double> weights;
@@ -50,7 +51,8 @@ struct weighted_points {
     }
 };
 
-/// A clamped direction of these knots.
+/// The degree and knots along one direction. Parameters run from the first knot to the last, as for
+/// clamped knots.
 l3d_bspline_direction direction(std::uint64_t degree, std::vector<double> knots) {
     l3d_bspline_direction result;
     // The surface or curve refuses degrees that are out of range.
@@ -70,7 +72,7 @@ bool is_outside(const l3d_patch_points& piece) {
            piece.trims[0][0].points[0] == piece.trims[0][0].points[1];
 }
 
-/// Makes a model from records.
+/// Makes a model from the plug-in's records.
 class builder {
 public:
     explicit builder(std::string name) : name_(std::move(name)) {}

@@ -17,7 +17,7 @@ namespace l3d_detail {
 /// The version of cad_plugin and of its records.
 inline constexpr std::uint32_t cad_version = 2;
 
-/// The interface of the plug-in libl3d_cad.so.
+/// The interface of the plug-in libl3d_cad.so, which reads STEP and IGES files.
 struct cad_plugin : plugin_interface {
     /// Reads the text of a STEP or an IGES file, and passes its surfaces as records to take(to,
     /// bytes, size), piece by piece. Lengths are in millimetres. A few times a second it calls
@@ -38,11 +38,12 @@ enum class cad_record : std::uint64_t {
     effort,   ///< seconds, bytes: time and memory of reading; follows `end`
     note,     ///< text: about something left out or changed
     material, ///< colour 0xRRGGBB, opacity: for faces and curves that follow
-    of_place, ///< the faces and curves that follow take the material of the place of their shape
+    of_place, ///< the faces and curves that follow take the material of their shape's `place`
     shape,    ///< the faces and curves that follow are a shape; shapes count from 0
-    /// Shape, name, material as above, and three rows of a 3 by 4 matrix: a place where it stands.
+    /// Shape, name, material as `material` has it, and three rows of a 3 by 4 matrix: a place where
+    /// the shape stands.
     place,
-    edge,  ///< tolerance, curve: edges count from 0
+    edge,  ///< tolerance, curve: an edge; edges count from 0
     curve, ///< curve: a line in space that bounds no face
     /// Degree along u, knots, degree along v, knots, points of x, y, z and weight, u fastest;
     /// number of loops. Each loop is the number of its curves, and the curves. A curve of a loop
@@ -51,7 +52,7 @@ enum class cad_record : std::uint64_t {
     face,
 };
 
-/// Writes records.
+/// Writes records, for the plug-in.
 class cad_writer {
 public:
     /// Begins a record.
@@ -67,7 +68,7 @@ public:
         append(value.data(), value.size());
     }
 
-    /// The bytes so far.
+    /// The bytes of the records so far.
     std::string bytes;
 
 private:
@@ -76,8 +77,8 @@ private:
     }
 };
 
-/// Reads the fields that cad_writer wrote. Beyond the end of the bytes, numbers are 0 and lists
-/// empty.
+/// Reads the fields that cad_writer wrote, for the library. Beyond the end of the bytes, numbers
+/// are 0 and lists empty.
 class cad_reader {
 public:
     explicit cad_reader(std::string_view bytes) : rest_(bytes) {}

@@ -30,7 +30,7 @@ struct corner_normals::faces_around {
         return groups == others || ((groups | others) < numbered && (groups & others) != 0);
     }
 
-    /// The mean normal, weighted by area, of the faces around a vertex that share one of `groups`.
+    /// The mean normal, weighted by area, of the faces around a vertex that are in one of `groups`.
     vector normal(std::uint32_t vertex, std::uint64_t groups,
                   const std::vector<std::uint64_t>& of_faces) const {
         vector sum(0);

@@ -35,8 +35,8 @@ public:
     /// normal has no direction.
     bool give_to_last_corner(const l3d_polygon_mesh& mesh, std::uint32_t normal);
 
-    /// Puts the last face of the mesh into smoothing groups, one for each of the lower 32 bits. A
-    /// single group may instead be `numbered` plus its number.
+    /// Puts the last face of the mesh into smoothing groups, one for each of the lower 32 bits.
+    /// `numbered` plus a number stands for the single group of that number instead.
     void give_to_last_face(const l3d_polygon_mesh& mesh, std::uint64_t groups);
     static constexpr std::uint64_t numbered = std::uint64_t{1} << 63;
 
@@ -63,8 +63,9 @@ private:
     void divide_vertices(l3d_polygon_mesh& mesh) const;
 
     std::vector<vector> normals_;
-    std::vector<std::uint32_t> of_corners_; ///< normal per corner, or none; none beyond its end
-    std::vector<std::uint64_t> of_faces_;   ///< groups per face, or unsaid; unsaid beyond its end
+    /// Per corner, its normal's index or `none`, also beyond the end.
+    std::vector<std::uint32_t> of_corners_;
+    std::vector<std::uint64_t> of_faces_; ///< per face, its groups or `unsaid`, also beyond the end
 };
 
 } // namespace l3d_detail

@@ -26,7 +26,8 @@ std::uint32_t word_at(std::string_view text, std::size_t at) {
     return word;
 }
 
-/// Appends the bytes of base64; padding may be missing. Returns false for any other character.
+/// Appends the bytes that base64 text stands for; padding may be missing. Returns false if the text
+/// has any other character.
 bool decode_base64(std::string_view text, std::string& out) {
     while (text.ends_with('='))
         text.remove_suffix(1);
@@ -82,12 +83,12 @@ template <class T> double little(const char* bytes) {
     return static_cast<double>(value);
 }
 
-/// The types of components, by OpenGL's codes.
+/// A type of components of accessors, with OpenGL's code for it.
 struct component_type {
     std::uint64_t code;
     std::size_t bytes;
     double (*read)(const char*);
-    double most; ///< stands for 1 in normalized numbers; 0 if there are none of this type
+    double most; ///< the number that stands for 1 if normalized; 0 if the type cannot be normalized
 };
 constexpr std::array<component_type, 6> component_types{{{5120, 1, little<std::int8_t>, 127},
                                                          {5121, 1, little<std::uint8_t>, 255},
@@ -174,7 +175,7 @@ gltf_document::gltf_document(std::string_view text) : bytes_(text.size()) {
     read_container(text);
 }
 
-/// A .glb file is a header of three words, then chunks of a length, a type and bytes. The first
+/// Reads a .glb file: a header of three words, then chunks of a length, a type and bytes. The first
 /// chunk is JSON; at most one more, with binary data, is read.
 void gltf_document::read_container(std::string_view text) {
     constexpr std::string_view mark = "\xEF\xBB\xBF";

@@ -27,7 +27,7 @@ public:
         : std::runtime_error((line > 0 ? std::to_string(line) + ": " : " ") + what) {}
 };
 
-/// A value of the JSON document that knows its place there.
+/// A value of the JSON document, which knows its place in the document.
 ///
 /// Every function that finds an error throws a gltf_error that begins with the place.
 /// Lives: borrows the document.
@@ -40,7 +40,7 @@ public:
     bool has(const char* name) const { return value_->is_object() && value_->contains(name); }
     /// A member of this object. Errors: the member is missing, or this is not an object.
     gltf_value at(const char* name) const;
-    /// An element of an array member. Errors: it is missing.
+    /// An element of an array member. Errors: the element is missing.
     gltf_value element(const char* name, std::size_t index) const;
     /// The number of elements of an array member; 0 if it is left out.
     std::size_t count(const char* name) const;
@@ -75,16 +75,16 @@ struct gltf_numbers {
     const double* at(std::size_t element) const { return &values[element * components]; }
 };
 
-/// A file that has been parsed, with its buffers. Errors: gltf_error.
+/// A glTF file that has been parsed, with its buffers. Errors: every function throws gltf_error.
 class gltf_document {
 public:
     using json = nlohmann::json;
 
-    /// Lives: borrows the text.
+    /// Parses the text of a .gltf or .glb file. Lives: borrows the text.
     explicit gltf_document(std::string_view text);
 
-    /// Reads the buffers. Call it once, before numbers(). A faulty buffer is an error only once it
-    /// is used.
+    /// Reads the buffers. Call it once, before numbers(). A faulty buffer is an error only once
+    /// something in it is read.
     void read_buffers(const l3d_other_files& files);
 
     gltf_value root() const { return {json_, ""}; }

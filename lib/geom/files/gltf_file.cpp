@@ -142,7 +142,8 @@ private:
                l3d_scaling<double>(scale[0], scale[1], scale[2]);
     }
 
-    /// The placements of a node's mesh in the node: one, unless EXT_mesh_gpu_instancing says more.
+    /// The placements of a node's mesh, in the node's coordinates: one, unless
+    /// EXT_mesh_gpu_instancing lists more.
     std::vector<matrix> instances_of(const gltf_value& node) {
         if (!node.has("extensions") || !node.at("extensions").has(instancing))
             return {l3d_identity<double>()};
@@ -343,7 +344,8 @@ private:
                     std::to_string(vertices));
     }
 
-    /// Transforms normals by the cofactors of the placement, which keep them perpendicular.
+    /// Reads the normals of a primitive, and transforms them by the cofactors of the placement,
+    /// which keep them perpendicular.
     void read_normals(const gltf_value& at, const matrix& to_scene, std::size_t vertices) {
         const gltf_numbers normals = document_.numbers(at, "VEC3", false);
         check_count(at, normals.count, vertices);

@@ -21,13 +21,13 @@ namespace l3d_detail {
 /// The extension for materials of diffuse colour and glossiness, glTF's older model.
 inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 
-/// Encodes a level of linear light as pictures do.
+/// Encodes an amount of linear light as sRGB.
 /// Units: argument and result are from 0 to 1.
 /// Source: IEC 61966-2-1, sRGB.
 double encoded(double light);
 
 /// Reads the numbers of an array member into `out`; false if there is no such member.
-/// Errors:  gltf_error if it has more or fewer.
+/// Errors:  gltf_error if the member does not have N numbers.
 template <std::size_t N>
 bool read_array(const gltf_value& of, const char* name, std::array<double, N>& out) {
     if (!of.has(name))
@@ -44,13 +44,13 @@ bool read_array(const gltf_value& of, const char* name, std::array<double, N>& o
 /// Lives:   borrows all arguments but the name.
 class gltf_materials {
 public:
-    /// Notes begin with `name`.
+    /// `name` is the file's name, with which notes begin.
     gltf_materials(const gltf_document& document, l3d_model_file& model, std::string name,
                    const l3d_other_files& files)
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
           files_(files) {}
 
-    /// Errors:  gltf_error; but a faulty picture becomes a note.
+    /// Reads all materials. Errors: gltf_error; but a faulty picture becomes a note.
     void read();
 
     /// The n of the attribute TEXCOORD_n, which places a material's picture.

@@ -26,20 +26,20 @@ enum class L3D_PUBLIC l3d_model_format {
     obj,        ///< Wavefront: polygons, Bezier and B-spline surfaces, curves
     off,        ///< geomview's polygons, text or binary
     ply,        ///< Stanford's polygons, text or binary of either byte order
-    videoscape, ///< 3DG1
-    bpt,        ///< patches with a header of degrees
+    videoscape, ///< Videoscape's polygons, 3DG1
+    bpt,        ///< Bezier patches, each with its degrees
     bez,        ///< geomview's patches, BEZ and BBP, text or binary
     stl,        ///< triangles, text or binary
     gltf,       ///< glTF 2.0: JSON or its container, .glb
-    grid,       ///< a grid of heights
-    step,       ///< ISO 10303-21, by a plug-in
+    grid,       ///< a grid of heights, in the text form of geographic programs
+    step,       ///< STEP, ISO 10303-21, by a plug-in
     iges,       ///< Initial Graphics Exchange Specification, by a plug-in
 };
 
 /// A file of materials that a model file names.
 struct L3D_PUBLIC l3d_material_file {
-    std::string name;     ///< its path as the model names it, from the model's own folder
-    std::size_t line = 0; ///< the line that names it
+    std::string name;     ///< the file's path as the model names it, from the model's own folder
+    std::size_t line = 0; ///< the model's line that names the file
 
     /// Whether the names are equal; lines make no difference.
     friend bool operator==(const l3d_material_file& a, const l3d_material_file& b) {
@@ -47,7 +47,7 @@ struct L3D_PUBLIC l3d_material_file {
     }
 };
 
-/// An upright rectangle in two dimensions.
+/// An axis-aligned rectangle in two dimensions, for the window and the viewport of an .obj file.
 struct L3D_PUBLIC l3d_model_window {
     /// The least and the largest coordinates; x0 < x1 and y0 < y1.
     double x0 = 0, y0 = 0, x1 = 1, y1 = 1;
@@ -59,10 +59,10 @@ struct L3D_PUBLIC l3d_model_window {
 struct L3D_PUBLIC l3d_model_camera {
     /// A place or a direction.
     using vector = l3d_vector<double, 3>;
-    std::string name{};           ///< as the file calls it
+    std::string name{};           ///< the camera's name in the file
     vector eye{0.0, 0.0, 1.0};    ///< where the picture is taken from
-    vector target{0.0, 0.0, 0.0}; ///< the point that it looks at; not equal to eye
-    vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture
+    vector target{0.0, 0.0, 0.0}; ///< the point that the camera looks at; not equal to eye
+    vector up{0.0, 1.0, 0.0};     ///< the direction that points up in the picture
     double fov = 38;              ///< angle of view over the picture's width, in degrees
 
     friend bool operator==(const l3d_model_camera&, const l3d_model_camera&) = default;
@@ -70,7 +70,7 @@ struct L3D_PUBLIC l3d_model_camera {
 
 /// A curve in space at which trimmed faces end (l3d_trim_curve::edge).
 struct L3D_PUBLIC l3d_model_edge {
-    l3d_nurbs_curve curve; ///< its place
+    l3d_nurbs_curve curve; ///< the edge's place
     double tolerance = 0;  ///< the distance that the file allows between the curve and its faces
 
     friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
@@ -79,14 +79,15 @@ struct L3D_PUBLIC l3d_model_edge {
 /// The distance between a patch and the surface that it approximates.
 struct L3D_PUBLIC l3d_patch_error {
     double places = 0; ///< bound of the distance between points of equal parameters
-    /// Whether the surface is a patch, too, and its control points differ by no more than this
-    /// bound. If not, nothing is known about its normals.
+    /// Whether the surface is a patch, too, and the control points of both differ by no more than
+    /// `places`. If not, nothing is known about the normals' error.
     bool is_of_points = true;
 
     friend bool operator==(const l3d_patch_error&, const l3d_patch_error&) = default;
 };
 
-/// The beginning of a shape's patches and curves. A shape ends where the next one begins.
+/// A shape of a model, which begins with these patches and curves. It ends where the next one
+/// begins.
 struct L3D_PUBLIC l3d_model_shape {
     std::uint32_t first_patch = 0; ///< index in l3d_model_file::patches
     std::uint32_t first_curve = 0; ///< index in l3d_model_file::curves
@@ -99,20 +100,21 @@ inline constexpr std::uint32_t l3d_material_of_place = 0xffffffff;
 
 /// A shape at a place, such as one of the bolts of an assembly.
 struct L3D_PUBLIC l3d_model_placement {
-    std::string name;                                  ///< name of the part that stands here
-    std::uint32_t shape = 0;                           ///< index in l3d_model_file::shapes
-    l3d_matrix<double> place = l3d_identity<double>(); ///< from the shape's coordinates; affine
-    std::uint32_t material = 0; ///< replaces l3d_material_of_place in the shape
+    std::string name;        ///< name of the part that stands at the place
+    std::uint32_t shape = 0; ///< index in l3d_model_file::shapes
+    /// The map from the shape's coordinates to the model's, which is affine.
+    l3d_matrix<double> place = l3d_identity<double>();
+    std::uint32_t material = 0; ///< the material that replaces l3d_material_of_place in the shape
 
     friend bool operator==(const l3d_model_placement&, const l3d_model_placement&) = default;
 };
 
-/// Polygons, patches, or both, in the file's own coordinates.
+/// The contents of a model file: polygons, patches and curves, in the file's own coordinates.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
     std::vector<std::string> notes;        ///< "name:line: what was skipped"; some 20 at the most
-    /// Optional, one per patch: the index of its material in mesh.materials.
+    /// Optional, one per patch: the index of the patch's material in mesh.materials.
     std::vector<std::uint32_t> patch_materials{};
     std::vector<l3d_material_file> material_files{}; ///< files with looks of the mesh's materials
     std::vector<l3d_part_run> patch_parts{};         ///< optional, runs of patches with names
@@ -123,12 +125,12 @@ struct L3D_PUBLIC l3d_model_file {
     std::optional<l3d_model_window> viewport{};
     std::vector<l3d_model_camera> cameras{}; ///< cameras, which .asc has
     std::vector<l3d_nurbs_curve> curves{};   ///< lines and curves in space: `l` and `curv` of .obj
-    /// Optional, one per curve: the index of its material in mesh.materials.
+    /// Optional, one per curve: the index of the curve's material in mesh.materials.
     std::vector<std::uint32_t> curve_materials{};
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
     l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
-    std::vector<l3d_patch_error> patch_errors{}; ///< optional, one per patch
-    /// Optional, one per patch: the number of the face in the file that it belongs to, from 1.
+    std::vector<l3d_patch_error> patch_errors{}; ///< optional, one per patch: its error
+    /// Optional, one per patch: the number of the patch's face in the file, from 1.
     std::vector<std::uint32_t> patch_faces{};
     /// Optional: groups of the patches and curves, in their order. Then `placements` say where each
     /// group stands, and patch_parts is empty. l3d_flattened makes copies instead.
@@ -181,15 +183,15 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_fil
 /// Cost:    as l3d_read_model.
 using l3d_model_reader = std::optional<l3d_model_file>(std::string_view text, std::string_view name,
                                                        std::string& why);
-L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< 3D Studio's text form
-    l3d_read_obj,                         ///< Wavefront
-    l3d_read_off,                         ///< geomview's polygons
-    l3d_read_ply,                         ///< Stanford's polygons
-    l3d_read_videoscape,                  ///< 3DG1
-    l3d_read_bez,                         ///< geomview's patches
-    l3d_read_stl,                         ///< triangles
-    l3d_read_grid,                        ///< a grid of heights, as patches
-    l3d_read_cad;                         ///< STEP and IGES, by the plug-in of the package l3d-cad
+L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< reads .asc, 3D Studio's text form
+    l3d_read_obj,                         ///< reads .obj, Wavefront's format
+    l3d_read_off,                         ///< reads .off, geomview's polygons
+    l3d_read_ply,                         ///< reads .ply, Stanford's polygons
+    l3d_read_videoscape,                  ///< reads 3DG1, Videoscape's polygons
+    l3d_read_bez,                         ///< reads BEZ and BBP, geomview's patches
+    l3d_read_stl,                         ///< reads .stl, triangles
+    l3d_read_grid,                        ///< reads a grid of heights as patches
+    l3d_read_cad;                         ///< reads STEP and IGES, by the plug-in of l3d-cad
 
 /// The reader of glTF 2.0.
 /// Errors:  as l3d_read_model, but the message names a place in the document, such as
@@ -199,10 +201,10 @@ L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, st
                                                        std::string& why,
                                                        const l3d_other_files& files = {});
 
-/// A material by its name.
+/// A material of a materials file: its name and look.
 struct L3D_PUBLIC l3d_named_material {
     std::string name;  ///< the name that faces and patches use
-    l3d_material look; ///< its colour, highlights and opacity
+    l3d_material look; ///< the material's colour, highlights and opacity
     /// The picture laid on surfaces of this material, as the file names it; none if the picture's
     /// name is empty.
     l3d_mesh_picture picture{};
@@ -236,9 +238,8 @@ L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 L3D_PUBLIC std::string l3d_write_obj(const l3d_model_file& model);
 
 /// Reads the surfaces of an .obj file with their own knots and control points, for programs that
-/// change these. l3d_read_obj gives their Bezier patches, which are pieces() of these surfaces in
-/// their order.
-/// Errors: as l3d_read_obj. A file may have no surfaces.
+/// change these. l3d_read_obj gives Bezier patches instead: the pieces() of these surfaces, in the
+/// same order.
 /// Errors: as l3d_read_obj. A file without surfaces is no error.
 /// Cost:   as l3d_read_obj, and the memory of the surfaces.
 L3D_PUBLIC std::optional<std::vector<l3d_nurbs_surface>>

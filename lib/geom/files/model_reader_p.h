@@ -121,7 +121,8 @@ public:
     }
 
 private:
-    /// Larger than any component, so that it is clamped to white on either scale.
+    /// The colour white, for vertices without a colour. Its components are larger than any other,
+    /// so that they are clamped to 1 on either scale.
     static constexpr std::array<float, 3> white{256, 256, 256};
 
     std::vector<std::array<float, 3>> colors_;
@@ -153,8 +154,8 @@ inline void append_color(std::string& text, std::uint32_t word) {
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 
-/// Collects coordinates that are not finite, or beyond 1e12. Some programs write them for vertices
-/// that no face uses. Such vertices are moved to the origin.
+/// Collects the coordinates of vertices that are not finite, or beyond 1e12. Some programs write
+/// such vertices, but no face uses them. They are moved to the origin.
 class odd_coordinates {
 public:
     /// Checks a coordinate of the next vertex, read from the current token or from `digits` in it.
@@ -167,9 +168,10 @@ public:
         value = 0;
     }
 
-    /// Whether all vertices with such coordinates are unused: no corner uses them, and
+    /// Whether all vertices with collected coordinates are unused: no corner uses them, and
     /// is_used(index) is false for them.
-    /// Errors: as text_cursor::is_coordinate, for the first coordinate in the text that is used.
+    /// Errors: as text_cursor::is_coordinate, for the first collected coordinate in the text that
+    ///         is used.
     template <class Used>
     bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
         if (found_.empty())

@@ -145,7 +145,7 @@ std::optional<l3d_model_edge> obj_surfaces::edge_along(const connected& side) co
     }
 }
 
-/// Curves that no connection names follow no edge.
+/// Makes the curves that no connection names follow no edge.
 void obj_surfaces::forget_unconnected() {
     for (l3d_patch_points& patch : patches_)
         for (l3d_trim_loop& loop : patch.trims)

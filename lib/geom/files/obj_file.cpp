@@ -99,7 +99,8 @@ private:
         return true;
     }
 
-    /// Begins a part at the first thing that belongs to it. Names without any thing are forgotten.
+    /// Begins a part at the first face or patch that belongs to the part. Names to which nothing
+    /// belongs are forgotten.
     void begin_part(std::vector<l3d_part_run>& parts, bool& is_new, std::size_t first) const {
         if (is_new && !(part_.empty() && first == 0))
             parts.push_back({part_, static_cast<std::uint32_t>(first)});
@@ -114,8 +115,8 @@ private:
             ;
     }
 
-    /// `s` with one word sets the smoothing group; `off` or 0 is none. With four numbers it sets
-    /// the part of the picture that the window fills.
+    /// Reads a statement `s`. With one word it sets the smoothing group; `off` or 0 is none. With
+    /// four numbers it sets the part of the picture that the window fills.
     bool read_group_or_viewport() {
         if (!text_.next_in_line())
             return true;
@@ -141,7 +142,8 @@ private:
         return word(what) && read_window_from(first, window, what);
     }
 
-    /// Expects: `first` is the window's first number, and the current token its second.
+    /// Reads a window's four numbers. Expects: `first` is the first number, and the current token
+    /// is the second.
     bool read_window_from(std::string_view first, std::optional<l3d_model_window>& window,
                           const char* what) {
         l3d_model_window w;
@@ -216,8 +218,8 @@ private:
         return true;
     }
 
-    /// Reads a place, which files measure from the picture's bottom left corner. Numbers left out
-    /// are 0, and so is the place of a corner that names none.
+    /// Reads a place in a picture (vt), which files measure from the picture's bottom left corner.
+    /// Numbers left out are 0, and so is the place of a corner that names none.
     bool read_picture_place() {
         double place[2] = {0, 0};
         for (int i = 0; i < 2 && text_.next_in_line(); ++i)
@@ -276,8 +278,8 @@ private:
         return true;
     }
 
-    /// Gives the last corner a place in its picture. A bad index becomes (0, 0), so that no model
-    /// is lost.
+    /// Gives the last corner the place in its picture that `digits` numbers. A bad number becomes
+    /// (0, 0), so that no model is lost.
     void give_picture_place(std::string_view digits) {
         if (picture_places_.empty())
             return;

@@ -105,7 +105,8 @@ bool obj_surfaces::read_range(l3d_bspline_direction& direction) {
     return direction.from < direction.to || text_.fail("the range of a parameter is empty");
 }
 
-/// Numbers after a slash are places in pictures, and normals.
+/// Reads the control points of a surface or curve. Numbers after a slash are places in pictures,
+/// and normals.
 bool obj_surfaces::read_points(std::size_t vertices) {
     indices_.clear();
     while (text_.next_in_line()) {

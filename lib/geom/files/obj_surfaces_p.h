@@ -41,16 +41,16 @@ public:
 
     static bool knows(std::string_view word);
 
-    /// Reads the rest of a statement whose first word knows() accepts. `weights` may be shorter
-    /// than `vertices`; missing weights are 1.
+    /// Reads the rest of a statement whose first word knows() accepts. `weights`, one for each
+    /// vertex, may be shorter than `vertices`; missing weights are 1.
     bool read_statement(std::string_view word, const std::vector<vector>& vertices,
                         const std::vector<double>& weights);
 
-    /// Whether the last surface or curve has ended.
+    /// Ends the reading. Fails if the last surface or curve has no end.
     bool finish();
 
-    /// For each vertex, whether a surface, curve or line uses it; may be shorter than there are
-    /// vertices.
+    /// For each vertex, whether a surface, curve or line uses it. Vertices beyond the list's end
+    /// are unused.
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
@@ -110,7 +110,7 @@ private:
     /// Whether the open surface is trimmed from outside, not only by holes.
     bool has_outer_trim_ = false;
 
-    /// A surface that has ended, for connections.
+    /// A surface that has ended. Connections after it may name it.
     struct ended_surface {
         std::size_t first_patch, end_patch;
         std::optional<l3d_nurbs_surface> whole; ///< the whole surface, if it is trimmed

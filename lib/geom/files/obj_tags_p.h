@@ -10,9 +10,9 @@
 
 namespace l3d_detail {
 
-/// Reads a tag of .obj after the word `t`. It consists of a name, the numbers of integers, reals
-/// and words that follow, as "2/1/0", and these arguments. Vertices and faces are counted from 0.
-/// Tags with other names are skipped with a note.
+/// Reads a tag of .obj after the word `t`. The tag consists of a name, the numbers of integers,
+/// reals and words that follow, as "2/1/0", and these arguments. Vertices and faces are counted
+/// from 0. Tags with other names are skipped with a note.
 /// Errors: false, after text.fail.
 /// Source: the shape files of OpenSubdiv, whose tags other programs write, too.
 bool read_obj_tag(text_cursor& text, const l3d_polygon_mesh& mesh, l3d_cage_tags& tags);

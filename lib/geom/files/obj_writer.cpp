@@ -41,7 +41,8 @@ void append_vertices(std::string& text, const l3d_polygon_mesh& mesh) {
         append_vector(text, "vn ", n[0], n[1], n[2]);
 }
 
-/// Begins the parts that start with face or patch number `thing`.
+/// Begins the parts whose first face or patch has the index `thing`. `next` is the next part to
+/// begin.
 void append_parts(std::string& text, const std::vector<l3d_part_run>& parts,
                   std::vector<l3d_part_run>::const_iterator& next, std::size_t thing) {
     if (thing == 0 && (next == parts.end() || next->first > 0) && text.find("\ng ") != text.npos)
@@ -69,7 +70,7 @@ void append_faces(std::string& text, const l3d_polygon_mesh& mesh) {
     }
 }
 
-/// Writes control points of a surface as vertices, with weights if it is rational.
+/// Writes control points of a surface as vertices, with their weights if the surface is rational.
 template <class Points>
 void append_points(std::string& text, const Points& points, const std::vector<double>& weights) {
     for (std::size_t i = 0; i < points.size(); ++i) {

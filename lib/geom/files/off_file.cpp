@@ -12,7 +12,7 @@ namespace {
 using l3d_detail::counted;
 using l3d_detail::text_cursor;
 
-/// The header that the first word gives: [ST][C][N][4][n]OFF.
+/// The kind of a file, by the first word: [ST][C][N][4][n]OFF.
 struct off_kind {
     bool texture = false, color = false, normal = false, four = false, dimension = false;
 };
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// geomview draws faces without a colour in 2/3 grey: round(255 * 2 / 3) = 170.
+    /// The colour of faces without one. geomview draws these in 2/3 grey: round(255 * 2 / 3) = 170.
     static constexpr std::uint32_t uncolored = 0xaaaaaa;
 
     bool read_header() {

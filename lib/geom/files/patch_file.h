@@ -27,7 +27,8 @@ struct L3D_PUBLIC l3d_trim_curve {
     std::vector<std::array<double, 3>> points; ///< u, v, weight
     /// The index of the edge that the curve follows.
     std::uint32_t edge = l3d_no_edge;
-    /// The parameters of the edge's curve at both ends of this curve; between, both run alike.
+    /// The parameters of the edge's curve at both ends of this curve. Between the ends, the edge's
+    /// parameter changes in proportion to this curve's.
     double from = 0, to = 1;
 
     friend bool operator==(const l3d_trim_curve&, const l3d_trim_curve&) = default;
@@ -52,8 +53,8 @@ struct L3D_PUBLIC l3d_patch_points {
     std::vector<std::array<double, 3>> points; ///< the control points, row by row: x, y, z
     /// The weights of a rational patch, positive, one per point; empty for a polynomial patch.
     std::vector<double> weights = {};
-    /// Loops in (u, v), each from 0 to 1, that trim the patch. A point is part of it if an odd
-    /// number of loops winds around it an odd number of times. Without loops, all points are.
+    /// Loops in (u, v), each from 0 to 1, that trim the patch. A point is part of the patch if an
+    /// odd number of loops winds around it an odd number of times. Without loops, all points are.
     std::vector<l3d_trim_loop> trims = {};
 
     friend bool operator==(const l3d_patch_points&, const l3d_patch_points&) = default;
@@ -103,8 +104,8 @@ L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 L3D_PUBLIC std::optional<std::array<std::array<double, 3>, 16>>
 l3d_as_bicubic(const l3d_patch_points& patch);
 
-/// The most heights that are read from a file: 1024 x 1024. Each becomes a patch, and all of these
-/// take 0.4 GB.
+/// The most heights that are read from a file: 1024 x 1024. Each height becomes a patch, and all
+/// patches together take 0.4 GB.
 inline constexpr std::int64_t l3d_most_heights = std::int64_t{1} << 20;
 
 /// A grid of heights over a rectangle, with `columns` heights in each row.
@@ -112,12 +113,12 @@ inline constexpr std::int64_t l3d_most_heights = std::int64_t{1} << 20;
 /// Shape:   row after row; the first row is the farthest, at the least z. Columns run along x.
 struct L3D_PUBLIC l3d_height_field {
     std::size_t columns = 0;     ///< heights in each row
-    std::vector<double> heights; ///< along y; NaN where there is none
-    double spacing = 1;          ///< from one height to the next, along x and along z
+    std::vector<double> heights; ///< the heights, along y; NaN where one is missing
+    double spacing = 1;          ///< distance from one height to the next, along x and along z
 
-    /// The error message for an invalid field, which names the value at fault; "" if it is valid.
-    /// It has at least 2 rows and 2 columns, and only whole rows. Heights are NaN or within
-    /// l3d_bpt_largest_coordinate, and so is the rectangle. The spacing is positive.
+    /// The error message for an invalid field, which names the value at fault; "" if it is valid. A
+    /// valid field has at least 2 rows and 2 columns, and only whole rows. Heights are NaN or
+    /// within l3d_bpt_largest_coordinate, and so is the rectangle. The spacing is positive.
     std::string complaint() const;
 };
 
@@ -128,8 +129,8 @@ struct L3D_PUBLIC l3d_height_field {
 /// there: the surface is C1. Its normals dS/du x dS/dv point upwards.
 /// Errors:  throws l3d_error(bad_input) with the text of complaint().
 /// Source:  Catmull and Rom, A class of local interpolating splines, 1974: the slope at a height is
-///          half of the difference between its neighbours. At a border or beside a missing height
-///          it is the whole difference on the other side.
+///          half of the difference between its neighbours. At a border or beside a missing height,
+///          the slope is the whole difference on the other side.
 L3D_PUBLIC std::vector<l3d_patch_points> l3d_height_patches(const l3d_height_field& field);
 
 #endif

@@ -28,7 +28,7 @@ l3d_nurbs_curve placed(const matrix& place, const l3d_nurbs_curve& curve) {
     return {curve.along(), std::move(points), curve.weights()};
 }
 
-/// Adds shapes of one model to another, at places.
+/// Adds copies of one model's shapes to another model, at places.
 class placer {
 public:
     placer(const l3d_model_file& from, l3d_model_file& to) : from_(from), to_(to) {}
@@ -85,7 +85,7 @@ private:
         return result;
     }
 
-    /// The index of an edge's copy at a place, whose number is `number`.
+    /// The index of the copy of edge `of` that stands at a place. Shapes at one place share it.
     std::uint32_t edge(std::uint32_t of, const matrix& place, std::size_t number) {
         const auto next = static_cast<std::uint32_t>(to_.edges.size());
         const auto [at, is_new] = edges_.try_emplace({number, of}, next);
@@ -96,7 +96,8 @@ private:
 
     const l3d_model_file& from_;
     l3d_model_file& to_;
-    std::map<std::array<double, 12>, std::size_t> numbers_; ///< the numbers of places
+    /// A number for each place, by the matrix's rows.
+    std::map<std::array<double, 12>, std::size_t> numbers_;
     std::map<std::pair<std::size_t, std::uint32_t>, std::uint32_t> edges_;
 };
 

@@ -34,8 +34,9 @@ const plugin_interface* load_plugin(std::string_view name, std::uint32_t version
 
 /// The folders with plug-ins. First come those of the environment variable L3D_PLUGIN_PATH,
 /// separated by colons. Next come folders near the file with this code: lib/l3d beside a program's
-/// own folder, and l3d in the folder of a shared library. The last is where plug-ins are installed.
-/// Relative folders are ignored: code from where the user happens to be must not run.
+/// own folder, and l3d in the folder of a shared library. The last folder is the one into which
+/// plug-ins are installed. Relative folders are ignored: code from where the user happens to be
+/// must not run.
 std::vector<std::string> plugin_folders();
 
 } // namespace l3d_detail

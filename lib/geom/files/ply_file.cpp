@@ -202,7 +202,8 @@ private:
             vertex_places_.push_back(place(seen(meaning::place_u), seen(meaning::place_v)));
     }
 
-    /// A place in the picture. Files measure it from the picture's bottom left corner.
+    /// A place in the picture, from a file's place (u, v), which is measured from the bottom left
+    /// corner.
     l3d_polygon_mesh::picture_place place(double u, double v) {
         const l3d_polygon_mesh::picture_place is{static_cast<float>(u), static_cast<float>(1 - v)};
         if (std::isfinite(is[0]) && std::isfinite(is[1]))
@@ -328,7 +329,8 @@ private:
     std::optional<std::endian> order_; ///< a binary file's byte order
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
-    bool has_places_ = false, has_vertex_places_ = false; ///< for corners, for vertices
+    /// Whether corners and whether vertices have places in the picture.
+    bool has_places_ = false, has_vertex_places_ = false;
     l3d_detail::vertex_colors vertex_colors_;
     l3d_detail::odd_coordinates odd_;
     std::array<double, static_cast<std::size_t>(meaning::corners) + 1> seen_{};

@@ -80,7 +80,7 @@ public:
 
     const std::vector<element>& elements() const { return elements_; }
 
-    /// The element of that kind, or null. Expects: not `other`.
+    /// The element whose rows are of this kind, or null. Expects: not row_kind::other.
     const element* find(row_kind kind) const;
 
     /// The picture's name from a comment `TextureFile`, as MeshLab writes it; empty without one.

@@ -13,7 +13,7 @@ namespace l3d_detail {
 bool is_binary_stl(std::string_view text);
 
 /// Whether a file may be a binary .stl with more bytes behind its triangles. Other binary files may
-/// be taken for one, so this is asked last.
+/// be taken for one, so call this after all other tests.
 bool is_long_binary_stl(std::string_view text);
 
 } // namespace l3d_detail

@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// The cage of a Catmull-Clark surface.
+/// The cage of a Catmull-Clark surface, from which the plug-in makes patches.
 ///
 /// Expects: a manifold whose faces all turn the same way, without a vertex twice in a face; each
 ///          crease is an edge of the cage.
@@ -17,7 +17,7 @@ struct subdivision_cage {
     std::uint32_t vertices;
     const double* places; ///< x, y, z of each vertex
     std::uint32_t faces;
-    const std::uint32_t* face_ends; ///< per face, the end of its corners in `corners`
+    const std::uint32_t* face_ends; ///< per face, the index behind its last corner in `corners`
     const std::uint32_t* corners;
     std::uint32_t creases;
     const std::uint32_t* crease_vertices; ///< two for each crease
@@ -30,29 +30,31 @@ struct subdivision_cage {
     const std::uint32_t* hole_faces; ///< faces without patches
     std::uint32_t keeps_corners;     ///< 1 if corners of boundaries are sharp, else 0
     double wanted_error;             ///< the wanted bound of the distance from the limit surface
-    std::uint64_t most_patches;      ///< beyond this number the error grows instead
+    /// The largest number of patches; beyond it, the error grows instead.
+    std::uint64_t most_patches;
 };
 
 /// The receiver of patches.
 struct subdivision_sink {
     void* to;
-    /// Takes a patch: 16 control points, x, y and z of each, u fastest. `face` is its face of the
-    /// cage. The normal dS/du x dS/dv points to the side from which the face's corners run
+    /// Takes a patch: 16 control points, x, y and z of each, u fastest. `face` is the patch's face
+    /// of the cage. The normal dS/du x dS/dv points to the side from which the face's corners run
     /// counterclockwise. `error` bounds the distance from the limit surface at the same parameters.
-    /// It also bounds that of control points, unless the patch is a cap, which is not exact.
+    /// It also bounds the distance of control points, unless the patch is a cap, which is not
+    /// exact.
     void (*take)(void* to, std::uint32_t face, const double* points, double error,
                  std::uint32_t is_cap);
     void (*fail)(void* to, const char* why);
 };
 
-/// The error that was reached, and the effort.
+/// The result of subdivide(): the error of the patches, and the effort.
 struct subdivision_outcome {
     double error;         ///< bound of the patches' distance from the limit surface
     std::uint32_t levels; ///< subdivisions around the irregular vertices
     std::uint32_t caps;   ///< patches that are not exact
 };
 
-/// The plug-in's symbol, l3d_subdivision_plugin.
+/// The interface of the plug-in libl3d_subdivision.so, its symbol l3d_subdivision_plugin.
 struct subdivision_plugin : plugin_interface {
     /// Makes patches within the wanted error of the limit surface, face by face. Neighbours meet
     /// bit for bit: their boundary control points are the same, or halve the same curve.

@@ -19,7 +19,7 @@ namespace {
 /// White space. The last character, SUB, ends the text files of DOS.
 constexpr std::string_view blanks = " \t\r\n\v\f\x1a";
 
-/// The mark of a number that is not finite: Microsoft's older compilers write 1.#IND, 1.#QNAN,
+/// A mark of numbers that are not finite: Microsoft's older compilers write 1.#IND, 1.#QNAN,
 /// 1.#INF.
 constexpr std::string_view microsofts_odd = "1.#";
 

@@ -81,7 +81,7 @@ public:
     std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
 
-    /// A place in the text, kept for a number that is an error only if something depends on it.
+    /// A place in the text, kept with a number that is an error only if something depends on it.
     struct reading_place {
         std::string_view rest, token;
         std::ptrdiff_t line;
@@ -120,7 +120,7 @@ public:
     /// it before taking memory for them.
     bool plausible(std::int64_t count, const char* things, std::size_t shortest);
 
-    /// Takes a binary number of that type and byte order.
+    /// Takes a binary number of type T in this byte order.
     template <class T> bool binary(T& value, std::endian order, const char* what) {
         begin_line();
         is_binary_ = true;

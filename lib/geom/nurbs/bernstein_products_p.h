@@ -66,8 +66,8 @@ template <class V> struct net {
     }
 };
 
-/// The largest degree of a product. A piece's normals have at most three times its degree. The
-/// quintic that approximates them is multiplied by them.
+/// The largest degree of a product. A piece's normals have at most three times the piece's degree.
+/// They are multiplied by the quintic that approximates them.
 inline constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
 /// Binomial coefficients n over k, which are exact in a double.
 inline constexpr auto binomials = [] {
@@ -89,10 +89,10 @@ class scaled_net {
 public:
     int m, n;
 
-    /// The polynomial 0 of these degrees.
+    /// The polynomial 0, of degree of_m along u and of_n along v.
     scaled_net(int of_m, int of_n)
         : m(of_m), n(of_n), c_(static_cast<std::size_t>((of_n + 1) * stride() + taps - 1)) {}
-    /// One coordinate of a net's coefficients, which `of` selects.
+    /// The polynomial of one coordinate of a net: of(coefficient) selects the coordinate.
     template <class V, class Coordinate>
     scaled_net(const net<V>& whole, const Coordinate& of) : scaled_net(whole.m, whole.n) {
         for (int r = 0; r <= n; ++r)
@@ -100,7 +100,7 @@ public:
                 row(r)[k] = of(whole.at(r, k)) * (binomial(n, r) * binomial(m, k));
     }
 
-    /// The Bernstein coefficient, without the binomials.
+    /// The Bernstein coefficient in row r (along v) and column k (along u), without binomials.
     double at(int r, int k) const { return row(r)[k] / (binomial(n, r) * binomial(m, k)); }
 
     /// The least Bernstein coefficient, a lower bound of all values by the convex hull.

@@ -40,7 +40,7 @@ double size_of(const vector& v) {
     return l3d_length(v);
 }
 
-/// Upper bound of the polynomial's length: its largest coefficient, by the convex hull.
+/// Upper bound of the length of a polynomial's values: its largest coefficient, by the convex hull.
 template <class V> double bound_of(const net<V>& of) {
     double most = 0;
     for (const V& value : of.c)
@@ -48,9 +48,9 @@ template <class V> double bound_of(const net<V>& of) {
     return most;
 }
 
-/// An upper bound as by bound_of, but from the coefficients of the polynomial's parts after some
-/// halvings along u and v in turns. Errors of interpolation change their sign, so the coefficients
-/// of the whole are some four times too large.
+/// A closer upper bound than bound_of gives: the polynomial is halved `halvings` times, along u and
+/// v in turns, and the coefficients of its parts are taken. Errors of interpolation change their
+/// sign, so the coefficients of the whole are some four times too large.
 double bound_of_parts(const net<vector>& of, int halvings) {
     if (halvings == 0)
         return bound_of(of);
@@ -60,7 +60,7 @@ double bound_of_parts(const net<vector>& of, int halvings) {
 
 /// The inner places, along u and along v, where a patch meets its piece: zeros of Chebyshev's T4,
 /// stretched until the outer ones are 0 and 1. No cubic with the same ends is closer to a quartic.
-/// The error is 0.17 of that of Hermite's cubic.
+/// Its error is 0.17 of that of Hermite's cubic.
 constexpr double nearer_node = 1 - std::numbers::sqrt2 / 2, farther_node = std::numbers::sqrt2 / 2;
 
 /// The value at a node of a polynomial of this degree; point(i) is its control point i. It is the
@@ -120,14 +120,15 @@ bicubic interpolated(const l3d_rational_piece& piece) {
     return result;
 }
 
-/// Whether the piece is a polynomial, so that derivatives of W are 0.
+/// Whether all weights of a piece are equal, so that it is a polynomial, and derivatives of W are
+/// 0.
 bool has_one_weight(const l3d_rational_piece& piece) {
     return std::ranges::all_of(piece.points,
                                [&](const point& p) { return p[3] == piece.points[0][3]; });
 }
 
-/// A piece as P and W, relative to one of its places, with bounds of rounding. `noise` bounds the
-/// error of P's length.
+/// A rational piece as P / W: P is relative to `centre`. Two members bound the rounding: `noise`
+/// that of P's length, `weight_noise` that of W.
 struct centred_piece {
     net<vector> p;
     net<double> w;
@@ -178,7 +179,8 @@ struct turned {
         return away <= 16 * unit * size;
     }
 
-    /// (u, v) becomes (v, 1 - u): a quarter turn, in which normals keep lengths and directions.
+    /// Turns the piece by a quarter: (u, v) becomes (v, 1 - u). Normals keep lengths and
+    /// directions.
     void turn_right() {
         const l3d_rational_piece old = piece;
         std::swap(piece.degree_u, piece.degree_v);
@@ -201,7 +203,7 @@ struct turned {
     }
 };
 
-/// Values of a polynomial at Order by Order nodes, u fastest, or its control points.
+/// Values of a polynomial at Order by Order nodes, or as many control points; u fastest.
 template <class V, std::size_t Order> using square = std::array<V, Order * Order>;
 
 /// Interpolation by polynomials at nodes from 0 to 1.
@@ -211,7 +213,7 @@ template <std::size_t Order> struct interpolation {
 
     using basis = std::array<double, most_product + 1>;
 
-    /// The values of the Bernstein polynomials of degree n. Source: their recurrence.
+    /// The values at t of the Bernstein polynomials of degree n. Source: their recurrence.
     static constexpr basis basis_at(double t, int n) {
         basis result{1};
         for (int degree = 1; degree <= n; ++degree)
@@ -223,8 +225,8 @@ template <std::size_t Order> struct interpolation {
         return result;
     }
 
-    /// Inverts the matrix of Bernstein's basis at the nodes. Source: Gauss and Jordan; the diagonal
-    /// is largest.
+    /// Inverts the matrix of Bernstein's basis at the nodes. Source: Gauss and Jordan; the largest
+    /// entries are on the diagonal, so no pivots are sought.
     constexpr explicit interpolation(const std::array<double, Order>& at) : nodes(at) {
         auto left = control_by_value;
         auto& right = control_by_value;
@@ -248,7 +250,7 @@ template <std::size_t Order> struct interpolation {
         }
     }
 
-    /// The values at all pairs of nodes.
+    /// The values of a polynomial at all pairs of nodes.
     template <class V> square<V, Order> values_of(const net<V>& of) const {
         std::array<basis, Order> in_v;
         for (std::size_t row = 0; row < Order; ++row)
@@ -267,7 +269,7 @@ template <std::size_t Order> struct interpolation {
         return result;
     }
 
-    /// The control points of the polynomial with these values.
+    /// The control points of the polynomial with these values at the nodes.
     template <class V> square<V, Order> through(const square<V, Order>& values) const {
         square<V, Order> along_u{}, result{};
         for (std::size_t i = 0; i < Order; ++i)
@@ -282,16 +284,16 @@ template <std::size_t Order> struct interpolation {
     }
 };
 
-/// The places where normals are exact: the zeros of T6, stretched as those of T4 above.
+/// The places where normals are exact: the zeros of T6, stretched as the zeros of T4 above.
 constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
 constexpr double outer_node = 1 - std::numbers::sqrt3 / 2;
 constexpr double inner_node = (std::numbers::sqrt3 - 1) / 2;
 constexpr interpolation<quintic_order> quintic({0, outer_node, inner_node, 1 - inner_node,
                                                 1 - outer_node, 1});
 
-/// Normals of a piece of degree m take some m^4 operations. From degree 8 on, a piece of degree 7
-/// replaces it. The two meet at places (1 - cos(k pi / 7)) / 2 along u and v. Their difference
-/// counts as rounding.
+/// The highest degree of a piece whose normals are computed exactly, which takes some m^4
+/// operations for degree m. A piece of degree 7 replaces one of degree 8 or more. The two meet at
+/// places (1 - cos(k pi / 7)) / 2 along u and v. Their difference counts as rounding.
 constexpr int most_exact_degree = 7;
 constexpr interpolation<most_exact_degree + 1> septic({0, 0.0495155660487904, 0.188255099070633,
                                                        0.388739533021843, 0.611260466978157,
@@ -337,7 +339,7 @@ l3d_rational_piece reduced(l3d_rational_piece piece) {
 /// 0. If the edge v = 0 is a point, the polynomial has a factor v, by which it is divided.
 struct exact_normals {
     net<vector> of{0, 0};
-    double noise = 0; ///< bound of the rounding of coefficients
+    double noise = 0; ///< bound of the coefficients' rounding
 
     /// `m` and `n` are the degrees for which the piece's noise holds.
     exact_normals(const centred_piece& piece, int m, int n, bool has_pole) {
@@ -438,7 +440,8 @@ l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& p
             least_w;
 }
 
-/// N is the quintic and T the exact polynomial. The tangent of their angle is |N x T| / N.T.
+/// Compares the quintic N with the exact polynomial T of the normals. The tangent of the angle
+/// between them is |N x T| / N.T.
 l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& piece)
     : error(std::numeric_limits<double>::infinity()) {
     const turned of(piece);

@@ -12,7 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// A rational Bezier patch of any degree, or a part of one, in homogeneous coordinates.
+/// A rational Bezier patch of any degree, or a part of one, in homogeneous coordinates. It is
+/// halved until a bicubic patch approximates it well enough.
 ///
 /// Shape: (degree_u + 1) * (degree_v + 1) points (x w, y w, z w, w), u fastest.
 struct l3d_rational_piece {
@@ -23,8 +24,8 @@ struct l3d_rational_piece {
     /// Bounds of rounding in any point: `noise` in a coordinate, `weight_noise` in the weight.
     double noise = 0, weight_noise = 0;
 
-    /// Expects: degrees from 1 to 15, as many points as these ask for, weights that l3d_is_weight
-    ///          accepts.
+    /// Expects: degrees from 1 to 15, as many points as the degrees ask for, weights that
+    ///          l3d_is_weight accepts.
     explicit l3d_rational_piece(const l3d_patch_points& patch);
 
     const point& at(int row, int column) const {
@@ -51,12 +52,12 @@ struct l3d_bicubic_approximation {
     explicit l3d_bicubic_approximation(const l3d_rational_piece& piece);
 };
 
-/// The normals of a rational piece as a polynomial of degree 5 by 5, with a bound of its error. It
-/// is exact at 6 by 6 places, the corners among them.
+/// The normals of a rational piece as a polynomial of degree 5 by 5, with a bound of its error. The
+/// polynomial is exact at 6 by 6 places, the corners among them.
 struct l3d_normal_approximation {
     l3d_normal_net net;
-    /// Bound of the distance between unit normals at the same parameters; infinite if there is
-    /// none.
+    /// Bound of the distance between unit normals at the same parameters; infinite if no bound was
+    /// found.
     double error = 0;
 
     explicit l3d_normal_approximation(const l3d_rational_piece& piece);

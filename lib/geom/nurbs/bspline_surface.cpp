@@ -9,11 +9,11 @@
 
 namespace {
 
-/// A control point, as given and in homogeneous coordinates. A point that no mean changes keeps its
-/// given coordinates exactly.
+/// A control point, as given and in homogeneous coordinates. A point that `between` does not change
+/// keeps its given coordinates exactly.
 struct control_point {
     std::array<double, 3> place{};
-    std::array<double, 4> weighted{}; ///< x w, y w, z w, w
+    std::array<double, 4> weighted{}; ///< homogeneous: x w, y w, z w, w
 
     friend bool operator==(const control_point&, const control_point&) = default;
 };
@@ -44,8 +44,8 @@ std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d
     return {first - n, last + 1};
 }
 
-/// The weighted mean: exactly a or b if the other's weight is 0. It is clamped between a and b, so
-/// that coordinates stay below their limit.
+/// The weighted mean of two control points: exactly a or b if the other's weight is 0. It is
+/// clamped between a and b, so that coordinates stay below their limit.
 control_point between(const control_point& a, const control_point& b, double weight_a,
                       double weight_b) {
     if (weight_b == 0 || a == b)

@@ -87,7 +87,8 @@ l3d_nurbs_curve::vector l3d_nurbs_curve::evaluate(double t) const {
         along_, t, 0, [this](std::size_t i) { return homogeneous(i); }));
 }
 
-/// The product rule on S w = P gives S' = (P' - S w') / w and S'' = (P'' - 2 S' w' - S w'') / w.
+/// Finds derivatives by the product rule. S w = P gives S' = (P' - S w') / w and S'' = (P'' - 2 S'
+/// w' - S w'') / w.
 l3d_curve_jet l3d_nurbs_curve::derivatives(double t) const {
     l3d_vector<double, 4> p[3];
     for (int order = 0; order < 3; ++order)

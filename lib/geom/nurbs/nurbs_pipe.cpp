@@ -104,7 +104,8 @@ l3d_nurbs_surface skin_of(const std::vector<section>& sections, const std::vecto
     return {circle.along(), std::move(along), std::move(points), std::move(weights)};
 }
 
-/// The largest distance of sampled points of the surface from the circles that these approximate.
+/// The largest distance of sampled points of the surface from the circles that the surface
+/// approximates.
 double measured_on(const l3d_nurbs_surface& surface, const l3d_nurbs_curve& curve,
                    const std::vector<double>& t, double radius) {
     constexpr int places = 8;

@@ -28,7 +28,8 @@ constexpr std::array<named_shape, 5> shapes{{{"cone", l3d_cone_surfaces},
                                              {"sphere", l3d_sphere_surfaces},
                                              {"torus", l3d_torus_surfaces}}};
 
-/// The direction across a ruled surface, from its first curve to its second.
+/// Knots of degree 1 with parameters from 0 to 1, for v of a ruled surface from one curve to
+/// another.
 l3d_bspline_direction from_0_to_1() {
     return l3d_bspline_direction::clamped(1, 2);
 }

@@ -71,8 +71,8 @@ l3d_nurbs_surface::vector l3d_nurbs_surface::evaluate(double u, double v) const 
     return l3d_projected<double, 4>(derivative(u, v, 0, 0));
 }
 
-/// The product rule on S w = P gives S_a = (P_a - S w_a) / w and S_ab = (P_ab - S_a w_b - S_b w_a -
-/// S w_ab) / w.
+/// Finds derivatives by the product rule. S w = P gives S_a = (P_a - S w_a) / w and S_ab = (P_ab -
+/// S_a w_b - S_b w_a - S w_ab) / w.
 l3d_surface_derivatives l3d_nurbs_surface::derivatives(double u, double v) const {
     const weighted p = derivative(u, v, 0, 0);
     const weighted pu = derivative(u, v, 1, 0), pv = derivative(u, v, 0, 1);

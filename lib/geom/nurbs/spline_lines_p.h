@@ -74,7 +74,7 @@ template <class At> spline_line with_knot(const l3d_bspline_direction& d, double
     return result;
 }
 
-/// The knots after the knot t is inserted once. Expects: t as above.
+/// The knots after the knot t is inserted once. Expects: knots[degree] <= t < knots[points()].
 inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
     const auto place = static_cast<std::ptrdiff_t>(span_of(d, t) + 1);
     d.knots.insert(d.knots.begin() + place, t);

@@ -17,8 +17,8 @@
 /// and the grid's lines alone, so frames that dice a patch alike can share it.
 ///
 /// Shape: parts are in the order in which halving meets them. Their corners, triangles and sides
-///        are ranges of the arrays here.
-/// Lives: a user keeps one, to reuse its memory.
+///        are ranges of this object's arrays.
+/// Lives: a user keeps one object for many grids, to reuse its memory.
 class l3d_grid_trims {
 public:
     using stretch = std::array<double, 2>;
@@ -41,34 +41,37 @@ public:
         std::uint32_t from, to, triangle;
         l3d_trim_use use;
     };
-    /// A side of a quad that lies inside, on the border of the region, where this follows an edge.
+    /// A side of a quad that lies inside the region. The side is on the region's border, and
+    /// follows an edge of the model.
     struct grid_side {
-        std::uint32_t row, column, end_row, end_column; ///< where it begins and ends
-        std::uint32_t quad_row, quad_column;            ///< the quad beside it
+        /// The grid's lines at the side's beginning and at its end.
+        std::uint32_t row, column, end_row, end_column;
+        std::uint32_t quad_row, quad_column; ///< the quad beside this side
         l3d_trim_place from, to;
         l3d_trim_use use;
     };
-    /// A block of quads that lie inside, or one quad that is cut.
+    /// A block of quads that lie inside the region, or one quad that is cut.
     struct part {
         l3d_trim_block of;
         bool is_whole = false;
         range grid_sides{};           ///< sides that follow edges, if the block is whole
         range corners{}, triangles{}; ///< corners and triangles, if the quad is cut
-        range border{};               ///< as l3d_trim_triangles has it
-        range followed{};             ///< as l3d_trim_triangles has it
-        range inner{};                ///< sides at which it meets other quads
+        range border{};               ///< sides on the region's border, if the quad is cut
+        range followed{};             ///< sides on the border that follow edges, if the quad is cut
+        range inner{};                ///< sides at which a cut quad meets other quads
     };
 
-    /// The memory that make() works in.
+    /// The memory in which make() works, which a user keeps for many grids.
     struct workshop {
-        l3d_trim_triangles quad;                          ///< the quad that is cut
-        std::vector<l3d_trim_place> places;               ///< its corners, in order
-        std::vector<std::array<l3d_trim_place, 2>> inner; ///< its sides within the grid
+        l3d_trim_triangles quad;            ///< the quad that is cut
+        std::vector<l3d_trim_place> places; ///< the corners of the quad's triangles, in order
+        /// The parts of the quad's sides within the grid.
+        std::vector<std::array<l3d_trim_place, 2>> inner;
     };
-    /// Sorts and cuts the quads of a grid with these lines.
+    /// Sorts and cuts the quads of a grid whose lines have these values of u and v.
     void make(const l3d_trim_region& region, std::span<const double> u, std::span<const double> v,
               workshop& in);
-    /// Whether this was made for a grid with these lines.
+    /// Whether the last make() was for a grid with these lines.
     bool is_for(std::span<const double> u, std::span<const double> v) const;
 
     std::span<const part> parts() const { return parts_; }
@@ -80,9 +83,10 @@ public:
     std::span<const corner_side> sides(range of) const { return some(sides_, of); }
     std::span<const grid_side> grid_sides(range of) const { return some(grid_sides_, of); }
 
-    /// The quads that lie outside or are cut, row by row. Shape: row, column.
+    /// The quads that lie outside the region or are cut, row by row. Shape: row, column.
     std::span<const std::array<std::uint32_t, 2>> cut() const { return cut_; }
-    /// Where the region reaches the sides of the grid, as l3d_trim_triangles::sides() has them.
+    /// The stretches of the grid's sides that the region reaches. Shape: as
+    /// l3d_trim_triangles::sides().
     const std::array<std::vector<stretch>, 4>& kept() const { return kept_; }
 
 private:

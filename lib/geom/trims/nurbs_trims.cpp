@@ -47,8 +47,8 @@ l3d_trim_loop shifted(l3d_trim_loop loop, const l3d_trim_place& by) {
     return loop;
 }
 
-/// Moves the curves of a loop by whole turns, so that each begins where the one before ends.
-/// Returns the loop, and the turns that it makes along u and v.
+/// Moves the curves of a loop by whole turns around a closed surface, so that each begins where the
+/// one before ends. Returns the loop, and how often it goes around along u and along v.
 std::pair<l3d_trim_loop, std::array<double, 2>>
 unroll(const l3d_trim_loop& loop, const l3d_trim_box& box, const std::array<bool, 2>& is_closed) {
     std::pair<l3d_trim_loop, std::array<double, 2>> result;
@@ -69,8 +69,8 @@ unroll(const l3d_trim_loop& loop, const l3d_trim_box& box, const std::array<bool
     return result;
 }
 
-/// Closes a loop that runs around along one direction. It continues over the whole box, and returns
-/// beyond the box.
+/// Closes a loop that goes around once along one direction. The loop continues over the whole box,
+/// and returns beyond the box.
 void close_around(l3d_trim_loop& way, std::size_t along, double turns, const l3d_trim_box& box) {
     const double period = box.most[along] - box.least[along];
     const l3d_trim_box hull = hull_of(way);
@@ -130,8 +130,8 @@ std::vector<std::array<double, 2>> l3d_spans_of(const l3d_bspline_direction& d) 
     return result;
 }
 
-/// Finds the loops for a piece. If no hull of a loop's curves meets the box, its chords wind around
-/// the box as often as its curves.
+/// Finds the loops for a piece. If no hull of a loop's curves meets the box, the chords of these
+/// curves wind around the box as often as the curves themselves.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box) {
     std::vector<l3d_trim_loop> result;

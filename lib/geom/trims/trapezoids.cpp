@@ -74,9 +74,9 @@ bool l3d_trapezoids::next_line() {
     return true;
 }
 
-/// Sorts the sides from left to right, by their places in the middle between v_ and `next`. If some
-/// cross before `next`, takes the lowest crossing in place of it. Returns the line up to which the
-/// order holds.
+/// Sorts the sides that cross the line from left to right, by their places in the middle between v_
+/// and `next`. If two sides cross before `next`, the lowest crossing takes its place. Returns the v
+/// up to which the order holds.
 double l3d_trapezoids::order_until(double next) {
     // Sides that are nearer than this count as met.
     constexpr double rounding = 0x1p-44;

@@ -18,17 +18,17 @@ struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
     l3d_trim_use left{}, right{};
-    std::size_t left_side = 0, right_side = 0; ///< indices of the polygons' sides; the same in all
-                                               ///< trapezoids beside one side
+    /// Indices of the polygons' sides that bound the trapezoid on the left and on the right.
+    std::size_t left_side = 0, right_side = 0;
 };
 
-/// Cuts a region into trapezoids that meet without T-junctions. If a corner of one lies on the low
-/// or high side of another, it is also a point of that side. Slanted and upright sides of
-/// neighbours have corners of their own.
+/// Cuts a region into trapezoids that meet without T-junctions. If a corner of one trapezoid lies
+/// on the low or high side of another, it is also a point of that side. On their left and right
+/// sides, neighbours have corners of their own.
 ///
 /// Polygons may cross themselves and each other.
-/// Cost: time in proportion to the number of corners times that of sides at one v; memory is kept
-///       for reuse.
+/// Cost: time in proportion to the number of corners, times the number of sides that a line of
+///       equal v meets. Memory is kept for reuse.
 class l3d_trapezoids {
 public:
     /// Calls visit(l3d_trapezoid) for each trapezoid of a region.
@@ -49,10 +49,11 @@ private:
     struct side {
         l3d_trim_place low, high;
         l3d_trim_use use{};
-        std::size_t right = none; ///< the side at the other end of the trapezoid that begins here
+        /// The right side of the trapezoid of which this is the left side.
+        std::size_t right = none;
         std::size_t next_right = none;
         double low_v = 0;
-        std::size_t first_low = 0, low_count = 0; ///< in pool_
+        std::size_t first_low = 0, low_count = 0; ///< the low points of that trapezoid, in pool_
 
         double at(double v) const;
         l3d_trim_use use_between(double from_v, double to_v) const;
@@ -70,8 +71,8 @@ private:
     void end_and_begin();
 
     double v_ = 0;
-    std::vector<side> sides_;             ///< by their low v
-    std::vector<l3d_trim_place> corners_; ///< by v, then u
+    std::vector<side> sides_;             ///< the polygons' sides, in the order of their low v
+    std::vector<l3d_trim_place> corners_; ///< the polygons' corners, in the order of v, then of u
     std::size_t next_side_ = 0, next_corner_ = 0, first_corner_ = 0;
     double next_v_ = 0;
     bool is_begun_ = false;

@@ -13,7 +13,8 @@ namespace {
 
 using curve = std::vector<std::array<double, 3>>;
 
-/// The point of a polygon's side a b where one coordinate is `at`. It is the same for b a.
+/// The point of a polygon's side from a to b where the coordinate `along` is `at`. It is the same,
+/// bit for bit, for the side from b to a.
 l3d_trim_place crossing(l3d_trim_place a, l3d_trim_place b, std::size_t along, double at) {
     if (b < a)
         std::swap(a, b);
@@ -129,7 +130,8 @@ std::array<curve, 2> halves_of(const curve& whole) {
     return result;
 }
 
-/// Bounds how far a curve is from its chord, in space. Its points are means of control points.
+/// Bounds how far a curve is from its chord, in space. The curve's points are means of control
+/// points.
 double off_chord(const curve& of, const l3d_trim_place& lengths) {
     const auto scaled = [&](const std::array<double, 3>& p) {
         return l3d_trim_place{p[0] * lengths[0], p[1] * lengths[1]};
@@ -193,7 +195,7 @@ void flatten(const l3d_trim_loop& loop, const l3d_trim_place& lengths,
     }
 }
 
-/// Says what is wrong with a loop's curves, or "". The loop need not be closed if it `may_be_open`.
+/// Says which error a loop's curves have, or "". The loop need not be closed if it `may_be_open`.
 std::string complaint_of(const l3d_trim_loop& loop, bool may_be_open) {
     if (loop.empty())
         return "has no curve";

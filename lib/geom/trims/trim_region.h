@@ -26,11 +26,12 @@ struct l3d_trim_use {
     std::uint32_t edge = l3d_no_edge;
     double from = 0, to = 0;
 
-    /// The edge's parameter at a part of the side, from 0 to 1.
+    /// The edge's parameter at a place of the side: `part` is 0 at the side's beginning, 1 at its
+    /// end.
     double at(double part) const { return part >= 1 ? to : from + (to - from) * part; }
 };
 
-/// A corner of a polygon, and the edge that the side from here to the next corner follows, if any.
+/// A corner of a polygon, and the edge that the side from this corner to the next follows, if any.
 struct l3d_trim_corner : l3d_trim_place {
     l3d_trim_use side{};
 };
@@ -82,8 +83,8 @@ struct l3d_trim_region {
 /// Sorts stretches, and joins those that touch.
 void l3d_join_stretches(std::vector<std::array<double, 2>>& stretches);
 
-/// Turns loops of curves into polygons. In space, no polygon is farther from its loop than
-/// `wanted`, nor is the loop from it. Adds them to `to`, and returns the largest distance.
+/// Turns loops of curves into polygons, adds these to `to`, and returns the largest distance in
+/// space between a loop and its polygon. No point of one is farther than `wanted` from the other.
 /// Shape:  `lengths` are upper bounds of the length in space of a unit of u and of v.
 /// Source: the convex hull of control points; halving by de Casteljau's scheme.
 double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
@@ -91,20 +92,20 @@ double l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place
 
 /// How far polygons are off their loops, in space.
 struct l3d_flatness {
-    double off = 0;   ///< the largest distance that counts
-    double share = 0; ///< the largest ratio of a distance to the one that was wanted there
+    double off = 0;   ///< the largest distance, without chords where an infinite one was wanted
+    double share = 0; ///< the largest ratio of a distance to the one that was wanted at its place
 };
-/// Turns loops into polygons, with a distance of its own for each part of a curve: wanted(box)
-/// gives it for the part in a box. Where it is infinite, the part becomes one chord, whose distance
-/// does not count.
+/// Turns loops into polygons as the function above does, but each part of a curve has a wanted
+/// distance of its own: wanted(box) gives it for the part in a box. Where it is infinite, the part
+/// becomes one chord, whose distance does not count.
 l3d_flatness l3d_flat_trims(std::span<const l3d_trim_loop> loops, const l3d_trim_place& lengths,
                             const std::function<double(const l3d_trim_box&)>& wanted,
                             l3d_trim_region& to);
 
 /// Bounds the weight that the control points between a rational curve's ends have in any point of
 /// the curve. If these control points are off the chord by some distance, the curve is off by at
-/// most this share of it. Among equal weights, the ends have at least 2^(1 - n), where n is the
-/// degree.
+/// most this share of that distance. Among equal weights, the ends have at least 2^(1 - n), where n
+/// is the degree.
 double l3d_share_between(std::size_t points, double lightest_end, double heaviest_between);
 
 /// Bounds how far a curve is from the chord between its ends, in space. Shape: as l3d_flat_trims.
@@ -120,12 +121,12 @@ std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
 /// others end.
 std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops);
 
-/// Turns loops of a surface that is closed along u, v or both into closed loops of the plane. These
-/// leave the same places of the box. A curve may end at one side of the box where the next begins
-/// at the other. Curves may go on beyond the box.
+/// Turns loops of a surface that is closed along u, v or both into closed loops of the plane of u
+/// and v. The closed loops leave the same places of the box. A curve may end at one side of the box
+/// where the next begins at the other. Curves may go on beyond the box.
 ///
 /// A loop may go around the surface, and so come back at the other side. It leaves the part on its
-/// left, if u runs to the right and v upwards. If several go around, the one with the least v
+/// left, if u runs to the right and v upwards. If several loops go around, the one with the least v
 /// decides, or with the least u if they go along v.
 /// Errors: nothing, and the reason in `why`: as l3d_trims_complaint; for a loop that goes around
 ///         twice; for loops around both ways.
@@ -134,10 +135,10 @@ std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_
                                                        const std::array<bool, 2>& is_closed,
                                                        std::string& why);
 
-/// Whether a surface comes back to where it began, along u and along v.
+/// Whether a surface closes on itself along u, and whether along v.
 std::array<bool, 2> l3d_closed_ways(const l3d_nurbs_surface& surface);
 
-/// The border of a box.
+/// The border of a box, as a loop that trims.
 l3d_trim_loop l3d_trim_around(const l3d_trim_box& box);
 
 /// The ranges of a direction's parameter between different knots: one for each Bezier piece.

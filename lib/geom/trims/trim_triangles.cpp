@@ -32,8 +32,9 @@ void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& 
     find_followed();
 }
 
-/// Stacks layers that share a whole level side. Together they are one polygon, which every level
-/// line meets once. If a side continues from one layer to the next, it has no corner between them.
+/// Stacks layers that share a whole side of equal v. Together such layers are one polygon, which
+/// every line of equal v meets once. If a side continues from one layer to the next, it has no
+/// corner between them.
 void l3d_trim_triangles::stack_layers() {
     const auto low_key = [this](std::size_t i) {
         const auto& [left, right] = layers_[i].low;
@@ -135,7 +136,8 @@ void l3d_trim_triangles::add_corners(const chain_corner& a, const chain_corner& 
     note_side(a, c);
 }
 
-/// Records a side of the last triangle if it is a side of the polygon.
+/// Records a side of the last triangle, from a to b, if it is a side of the polygon between the
+/// chains.
 void l3d_trim_triangles::note_side(const chain_corner& a, const chain_corner& b) {
     const std::size_t triangle = triangles_.size() - 1;
     for (std::size_t k = 0; k < 2; ++k) {
@@ -244,8 +246,8 @@ l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) con
     return {};
 }
 
-/// Finds the border among sides of equal v. Such a side belongs to two trapezoids, unless it is
-/// border.
+/// Finds the border among sides of equal v. Such a side belongs to two trapezoids, unless it is on
+/// the border.
 void l3d_trim_triangles::find_level_border() {
     const auto key = [](const level_side& s) { return std::tuple(s.v, s.from, s.to); };
     std::ranges::sort(level_sides_, {}, key);

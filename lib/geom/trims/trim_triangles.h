@@ -13,7 +13,7 @@
 
 /// Makes triangles of a region in a box, and notes what the neighbours of the box need to know.
 ///
-/// Lives: a user keeps one, to reuse its memory.
+/// Lives: a user keeps one object for many boxes, to reuse its memory.
 class l3d_trim_triangles {
 public:
     using stretch = std::array<double, 2>;
@@ -35,12 +35,12 @@ public:
     struct border_side {
         l3d_trim_place from, to;
         std::size_t triangle;
-        l3d_trim_use use; ///< the edge that it follows, if any
+        l3d_trim_use use; ///< the edge that the side follows, if any
     };
     /// The region's border within the box, in the order of the triangles.
     std::span<const border_side> border() const { return border_; }
-    /// The parts of the border that follow edges, also those on the box's sides. The latter have no
-    /// triangle of their own beside them.
+    /// The parts of the border that follow edges, also on the box's sides. Parts on the box's sides
+    /// have no triangle of their own beside them.
     std::span<const border_side> followed() const { return followed_; }
 
 private:
@@ -53,13 +53,14 @@ private:
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// A trapezoid with two corners below and two above, which may be the same.
+    /// A trapezoid with two corners on its low side and two on its high side; either two may
+    /// coincide.
     struct layer {
-        std::array<l3d_trim_place, 2> low, high; ///< left and right
+        std::array<l3d_trim_place, 2> low, high; ///< the left and the right corner
         std::array<l3d_trim_use, 2> use; ///< edges that the left and the right side follow, upwards
         std::array<std::size_t, 2> side; ///< as l3d_trapezoid::left_side and right_side
         std::size_t next = none;         ///< the layer above that shares its whole upper side
-        bool goes_on = false;            ///< whether another layer is below it so
+        bool goes_on = false;            ///< whether this layer is the `next` of the one below
 
         bool is_wide_below() const { return low[0] != low[1]; }
         bool is_wide_above() const { return high[0] != high[1]; }
@@ -107,8 +108,8 @@ struct l3d_trim_block {
     std::size_t row, end_row, column, end_column;
 };
 
-/// Calls visit(use, from, to) for sides of quads on the border of a block that a region fills,
-/// where the region follows an edge.
+/// Visits the border of a block that a region fills, where the border follows edges. Calls
+/// visit(use, from, to) for each side of a quad on it: the edge, and the side's two ends.
 template <class Visit>
 void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const double> u,
                             std::span<const double> v, const l3d_trim_block& of,

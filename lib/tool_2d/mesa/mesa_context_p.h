@@ -22,8 +22,8 @@ inline constexpr std::array mesa_ways{mesa_way::egl_surfaceless, mesa_way::egl_d
 
 const char* name_of(mesa_way way);
 
-/// Whether the user's choice permits this way. `wish` is auto, egl or osmesa. An empty one stands
-/// for the variable L3D_MESA, and for auto if that is empty or unset, too.
+/// Whether the user's choice permits a way. `wish` is auto, egl or osmesa. An empty wish stands for
+/// the variable L3D_MESA or, if that is empty or unset, for auto.
 bool may_try(mesa_way way, const std::string& wish);
 
 /// Whether the renderer with this GL_RENDERER text draws on the CPU.
@@ -59,7 +59,7 @@ public:
     /// GL's text GL_RENDERER.
     const std::string& renderer() const { return renderer_; }
 
-    /// The renderer, and the way by which it was found.
+    /// The renderer, and the way by which the context was opened.
     std::string describe() const {
         return "GL by " + std::string(name_of(way_)) + ": " + renderer_;
     }

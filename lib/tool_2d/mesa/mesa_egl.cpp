@@ -62,7 +62,8 @@ bool lists(const char* list, std::string_view word) {
     return false;
 }
 
-/// Keeps Mesa from looking for graphics cards while it lives, unless the user has set the variable.
+/// Keeps Mesa from looking for graphics cards while an object of this class lives, unless the user
+/// has set the variable.
 class software_only {
 public:
     software_only() : ours_(!std::getenv(variable)) {

@@ -17,13 +17,13 @@ public:
     /// Loads the first of the names that can be loaded; its symbols stay local.
     explicit mesa_library(std::initializer_list<const char*> names);
 
-    /// Why none was loaded, in one line; empty if one was.
+    /// The reason why no library was loaded, in one line; empty if one was.
     const std::string& problem() const { return problem_; }
 
     /// The address of a symbol. Errors: null if there is no such symbol, or no library.
     void* find(const char* name) const;
 
-    /// Finds a function by name. Errors: false if there is none.
+    /// Sets `function` to the function of this name. Errors: false if there is none.
     template <class Function> bool find(Function*& function, const char* name) const {
         function = reinterpret_cast<Function*>(find(name));
         return function != nullptr;

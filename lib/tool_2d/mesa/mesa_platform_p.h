@@ -16,11 +16,11 @@ public:
     mesa_platform& operator=(const mesa_platform&) = delete;
     virtual ~mesa_platform() = default;
 
-    /// Makes this the context of this thread's GL calls. Errors: false if it refuses.
+    /// Makes this the context of this thread's GL calls. Errors: false if the library refuses.
     bool make_current() { return do_make_current(); }
 
-    /// The address of a GL call. Errors: for other names, null or a pointer that must not be
-    /// called.
+    /// The address of a GL call. Errors: for a name of no GL call, null or a pointer that must not
+    /// be called.
     void* find(const char* name) { return do_find(name); }
 
 private:
@@ -36,7 +36,7 @@ std::unique_ptr<mesa_platform> open_mesa_egl_surfaceless(std::string& why);
 /// Errors:  null, with the reason in `why`.
 std::unique_ptr<mesa_platform> open_mesa_egl_device(std::string& why);
 
-/// Opens a context by OSMesa, a library that Mesa had for this until 25.1.
+/// Opens a context by OSMesa, a library for pictures in memory that Mesa had until 25.1.
 /// Errors:  null, with the reason in `why`.
 std::unique_ptr<mesa_platform> open_mesa_osmesa(std::string& why);
 

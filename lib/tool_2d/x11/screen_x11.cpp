@@ -106,7 +106,7 @@ private:
     void tell_shown();
     void look_around();
     bool sleep(steady_clock::time_point deadline, int waker = -1) const;
-    /// Whether the program can have an event. A key about fullscreen waits if earlier news about
+    /// Whether the program can have an event. An event about fullscreen waits if earlier news about
     /// fullscreen may still be on the way from the server.
     bool has_event() const {
         const bool knows = !state_.is_asking() || window_->connection().lost();
@@ -137,9 +137,9 @@ private:
     bool ground_is_due_ =
         false;                 ///< a whole picture was put, to which the window's ground has to fit
     bool sync_is_due_ = false; ///< a picture was put, and perhaps waits to be sent
-    bool window_is_gone_ = false; ///< another program destroyed it
+    bool window_is_gone_ = false; ///< another program destroyed the window
     bool lost_is_told_ = false;
-    bool letters_changed_ = false; ///< the program shall draw them anew
+    bool letters_changed_ = false; ///< letters have a new size, so the program shall draw anew
 };
 
 void l3d_screen_x11::open() {

@@ -30,6 +30,7 @@ private:
     /// Cost:    one connection; one small segment where memory is shared.
     l3d_service do_service() const override;
 
+    /// Makes a window, and waits until it is on the screen.
     /// Errors:  null: no display, no usable visual, no memory, display lost.
     /// Lives:   the screen owns connection, window and pixels.
     /// Cost:    returns once the window is on the screen, or after two seconds.

@@ -50,7 +50,7 @@ std::optional<l3d_palette> palette_of_shape(const palette_shape& shape,
     return shape.palette(std::move(pixels), deviation);
 }
 
-// The fewest bits of a channel that need no dithering. Fewer show steps in every shaded surface.
+// The fewest bits of a channel for which masks are used. A palette replaces masks of fewer bits.
 constexpr int undithered_bits = 5;
 
 // Levels wanted in a shared map, and the fewest that are better than a map of our own. A cube of
@@ -111,8 +111,8 @@ public:
         return has_room_for(shape) ? share(shape, true) : std::nullopt;
     }
 
-    /// The palette of a shape. Where the map has no room, it has other programs' cells of near
-    /// colours.
+    /// The palette of a shape. Where the map has no room, the palette has other programs' cells of
+    /// near colours.
     /// Errors:  nothing, and then no cell stays taken.
     std::optional<l3d_palette> share_nearly(const palette_shape& shape) {
         return share(shape, false);

@@ -35,8 +35,8 @@ struct palette_shape {
     /// Distance of two colours in their worst channel, in 510ths of a step of that channel.
     int distance(std::uint32_t one, std::uint32_t other) const;
 
-    /// Whether no channel differs by more than half a step. Then a dither still mixes colours from
-    /// a level on each side.
+    /// Whether two colours differ by no more than half a step in each channel. Then a dither still
+    /// mixes colours from a level on each side.
     bool is_near(std::uint32_t one, std::uint32_t other) const {
         return distance(one, other) <= 255;
     }
@@ -52,25 +52,25 @@ int channel_difference(std::uint32_t one, std::uint32_t other);
 
 /// The largest palette for a map whose cells cannot be changed. Each of its colours is shown by the
 /// nearest cell.
+/// Shape:   `cells` has the colour of each cell, as a pixel word. `ramp` asks for grays only.
 /// Errors:  nothing if the map lacks cells near black or white or, except for a ramp, near one of
 ///          the other six corners of the cube.
 std::optional<l3d_palette> palette_of_cells(std::span<const std::uint32_t> cells, bool ramp);
 
-/// The palette of all pixels that masks of few bits can make. Unlike masks, palettes are dithered,
-/// which hides how few levels there are.
+/// The palette of all pixels that masks of few bits can make. It replaces the masks.
 l3d_palette palette_of_masks(const l3d_screen_info& info);
 
 /// A colormap, our cells in it, and the format of its pixels.
 ///
-/// - TrueColor: nothing need be written. Masks of fewer than five bits are dithered.
+/// - TrueColor: nothing need be written. A palette replaces masks of fewer than five bits.
 /// - DirectColor: a map of our own, with a straight ramp in each channel; then like TrueColor.
 /// - StaticColor, StaticGray: the largest palette_of_cells.
 /// - PseudoColor, GrayScale, if the visual is the screen's default: cells of the default map,
 ///   shared with programs that ask for the same colours: 6x6x6 of them, or 64 grays. If there is no
 ///   room, fewer levels, down to 4x4x4 or 16 grays. If even these have no room, all are tried once
 ///   more. Then cells of other programs serve, too, if no channel is off by more than half a step.
-/// - If that fails, too, or the visual is another one: a map of our own with an exact palette. On a
-///   display with one map in its hardware, other windows show wrong colours while ours has the
+/// - If sharing fails, or the visual is not the default: a map of our own with an exact palette. On
+///   a display with one map in its hardware, other windows show wrong colours while ours has the
 ///   focus. So cells that are left over get the colours of the default map, which are those of
 ///   menus and borders.
 class x11_colormap {
@@ -119,7 +119,7 @@ private:
     l3d_screen_info info_;
     Colormap id_;
     bool owned_ = false;
-    std::vector<unsigned long> allocated_; ///< cells of a shared map
+    std::vector<unsigned long> allocated_; ///< the cells of a shared map that we have taken
 };
 
 } // namespace l3d_detail

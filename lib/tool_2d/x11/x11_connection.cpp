@@ -105,8 +105,8 @@ constexpr std::chrono::seconds longest_connect{3};
 // stopped one is not waited for.
 constexpr std::chrono::milliseconds longest_leave{200};
 
-/// Calls functions of Xlib that cannot go on if the server dies meanwhile. If it does, jumps out of
-/// them.
+/// Calls functions of Xlib that cannot go on if the server dies meanwhile. If it dies, jumps out of
+/// these functions.
 ///
 /// XOpenDisplay would end the process, as it has no display yet for an exit handler.
 /// XQueryExtension would take the reply that never came for the number of an extension. The jump

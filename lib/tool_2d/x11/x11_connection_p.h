@@ -25,7 +25,7 @@ template <class Reply> using unique_reply = std::unique_ptr<Reply, x11_reply_fre
 
 /// The way in which the server gets our memory.
 enum class x11_sharing {
-    unproven, ///< not known yet
+    unproven, ///< no way is proven yet
     files,    ///< as files that are handed over
     segments, ///< as segments of System V
 };
@@ -128,9 +128,9 @@ bool has_x11_manager(const x11_connection& connection);
 /// The meaning of the error code, in words. No request is made.
 std::string x11_error_text(const x11_connection& connection, int code);
 
-/// Collects the X errors of the requests made while it lives.
+/// Collects the X errors of the requests made while an object of this class lives.
 ///
-/// Expects: at most one per connection at a time.
+/// Expects: at most one object per connection at a time.
 class x11_error_trap {
 public:
     explicit x11_error_trap(x11_connection& connection);

@@ -41,8 +41,8 @@ l3d_probe probe_visual(const x11_connection& connection) {
     return probe;
 }
 
-/// Whether the server trusts the connection. To others, as those of ssh -X, it shows only the two
-/// extensions that are named here.
+/// Whether the server trusts the connection. An untrusted connection, as that of ssh -X, sees only
+/// the two extensions that are named here.
 bool is_trusted(const x11_connection& connection) {
     int count = 0;
     char** const names = XListExtensions(connection.display(), &count);
@@ -121,8 +121,8 @@ l3d_probe probe_sharing(x11_connection& connection) {
 
 /// Opens a connection. If there is no display, returns null and adds a probe with the reason.
 ///
-/// It does not let Xlib connect to a server that refuses, since the library below Xlib would print
-/// a line each time.
+/// The function does not let Xlib connect to a server that refuses, since the library below Xlib
+/// would print a line each time.
 std::unique_ptr<x11_connection> diagnose_connection(l3d_probes& probes) {
     const auto before = std::ranges::find(probes, l3d_display_probe, &l3d_probe::what);
     if (before != probes.end() && before->outcome == verdict::bad)

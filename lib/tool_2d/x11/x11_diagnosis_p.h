@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// Whether the host that DISPLAY names ("host:7", "[::1]:7.0") takes a TCP connection in time. Xlib
-/// itself would wait as long as the kernel does, two minutes.
+/// Whether the host that DISPLAY names ("host:7", "[::1]:7.0") takes a TCP connection within
+/// `longest`. Xlib itself would wait as long as the kernel does, two minutes.
 ///
 /// The result is true for a name without a host, since this machine answers or refuses at once.
 /// Cost:    besides `longest`, the time that looking up the host's name takes.
@@ -21,11 +21,11 @@ bool can_reach_x11_host(const std::string& display, std::chrono::milliseconds lo
 struct x11_refusal {
     std::string why;         ///< one line that gives the value of DISPLAY
     std::string remedy;      ///< one line: what to do about it
-    bool is_certain = false; ///< whether Xlib could not connect, either
+    bool is_certain = false; ///< whether Xlib surely cannot connect, either
 };
 
 /// Finds out why Xlib cannot open a display: connects to it, and hears the server's words. Xlib
-/// does not tell the reason; the library below it prints those words and forgets them.
+/// does not tell the reason; the library below it prints the server's words and forgets them.
 ///
 /// Shape:   `display` is the value of DISPLAY; null: it is not set.
 /// Cost:    a connection; no more than `longest` for each of its two steps.

@@ -69,8 +69,8 @@ x11_enlarger::~x11_enlarger() {
             XFreePixmap(window_.display(), pixmap);
 }
 
-/// A context for copies. They never lack a part of their source, so the server need not report on
-/// that each time.
+/// A context for copies. Copies here never lack a part of their source, so the server need not
+/// report on that each time.
 GC x11_enlarger::make_copier() const {
     XGCValues values{};
     values.graphics_exposures = False;

@@ -21,13 +21,13 @@ namespace l3d_detail {
 ///          requests of 28 bytes beside its pixels.
 class x11_enlarger {
 public:
-    /// The side of the square that shows a cell: a power of two, and at most this.
+    /// The largest side of the square that shows a cell. Each such side is a power of two.
     static constexpr int largest_factor = 4;
 
     /// Some requests that go together, small enough for every connection's buffer.
     using step = std::function<void()>;
 
-    /// Shape:   `native` is the size of the large picture.
+    /// Makes the pixmaps in the server. `native` is the size of the large picture.
     x11_enlarger(const x11_window& window, l3d_size native);
     x11_enlarger(const x11_enlarger&) = delete;
     x11_enlarger& operator=(const x11_enlarger&) = delete;

@@ -50,7 +50,7 @@ inline std::size_t ximage_size(const XImage& image) {
     return ximage_row_size(image) * static_cast<std::size_t>(image.height);
 }
 
-/// The buffers in which the pictures of one window travel, for one size of it.
+/// The buffers in which the pictures of one window travel, for one size of the window.
 class x11_image {
 public:
     using time_point = std::chrono::steady_clock::time_point;
@@ -67,9 +67,9 @@ public:
     /// Sends a part of the picture, and asks for an event that tells when the server has it. Xlib
     /// may buffer the requests until events are next asked for. The words may change after the
     /// call.
-    /// Expects: is_free(). The picture has the size that this was made for. Outside of the part it
-    ///          is the same as in the last put. The part is not empty, and is the whole picture
-    ///          the first time.
+    /// Expects: is_free(). The picture has the size that this image was made for. Outside of the
+    ///          part, the picture is the same as in the last put. The part is not empty, and is the
+    ///          whole picture the first time.
     /// Cost:    in proportion to the part. Waits for a slow connection until the deadline, and
     ///          copies the rest.
     void put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point deadline) {
@@ -106,7 +106,7 @@ public:
     /// Errors:  true, with one line in `why`.
     bool has_failed(std::string& why) const { return do_has_failed(why); }
 
-    /// One phrase for l3d_screen::describe: how words are converted on their way.
+    /// Describes, in one phrase for l3d_screen::describe, how words are converted on their way.
     std::string describe() const { return do_describe(); }
 
 private:

@@ -54,8 +54,8 @@ private:
         return std::ranges::count(buffers_, 0UL, &shared_buffer::put) == buffer_count;
     }
 
-    /// Writes a part into a free buffer and has the server read that part only. The buffer may be
-    /// out of date beside it.
+    /// Writes a part into a free buffer and has the server read that part only. Beside the part,
+    /// the buffer may be out of date.
     void do_put(const l3d_pixels& picture, const l3d_pixel_box& part, time_point) override {
         const l3d_size native{ximage_->width, ximage_->height};
         auto& buffer = *std::ranges::find(buffers_, 0UL, &shared_buffer::put);

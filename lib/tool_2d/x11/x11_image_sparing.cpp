@@ -37,7 +37,7 @@ int cells(int length, int factor) {
     return (length + factor - 1) / factor;
 }
 
-/// The cells that show some pixels.
+/// The box of cells that show the pixels of a box.
 l3d_pixel_box cells_of(const l3d_pixel_box& box, int factor) {
     return {box.left / factor, box.top / factor, cells(box.right, factor),
             cells(box.bottom, factor)};
@@ -226,7 +226,7 @@ private:
         return factor;
     }
 
-    /// Writes the native pixels of a part, and notes which of them have changed.
+    /// Writes the native pixels of a part into bytes_, and notes which of them have changed.
     void update(const l3d_pixels& picture, const l3d_pixel_box& part) {
         const l3d_pixel_box box = writer_.native_part(part, native_);
         for (int y = box.top; y < box.bottom; ++y) {

@@ -90,7 +90,7 @@ bool is_local(const std::string& display) {
 }
 
 /// Connects to an address.
-/// Errors:  no socket, with the kernel's number in `error`.
+/// Errors:  no socket, with the kernel's error number in `error`.
 x11_socket connected(const sockaddr* address, socklen_t size, steady_clock::time_point deadline,
                      int& error) {
     x11_socket knocker(socket(address->sa_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));

@@ -67,7 +67,7 @@ private:
 
     const x11_connection& connection_;
     XShmSegmentInfo info_{};
-    std::size_t file_size_ = 0; ///< 0: it is a segment of System V
+    std::size_t file_size_ = 0; ///< size of the shared file; 0 for a segment of System V
     bool is_named_ = false;
 };
 

@@ -17,6 +17,7 @@ l3d_pixel_box& x11_tiles::tile(int column, int row) {
 }
 
 /// Calls visit(kept, place) for each tile that a box touches, and updates the number of pixels.
+/// `kept` is the tile's box, to be changed, and `place` the whole tile.
 template <class Visit> void x11_tiles::visit_tiles(const l3d_pixel_box& box, Visit visit) {
     if (box.empty())
         return;

@@ -28,7 +28,7 @@ public:
     /// The number of pixels in the boxes.
     std::int64_t pixels() const { return pixels_; }
 
-    /// Adds all pixels of a box. Expects: it lies in the picture.
+    /// Adds all pixels of a box. Expects: the box lies in the picture.
     void add(const l3d_pixel_box& box);
 
     /// Removes the box of each tile if that box lies wholly in the given one.
@@ -48,7 +48,8 @@ private:
     std::vector<l3d_pixel_box> take_row(int row, std::int64_t most, std::int64_t& taken);
 
     int columns_, rows_;
-    std::vector<l3d_pixel_box> boxes_; ///< the box of each tile; empty where nothing is
+    /// The box of each tile; empty if no pixel of the tile is in the set.
+    std::vector<l3d_pixel_box> boxes_;
     std::int64_t pixels_ = 0;
 };
 

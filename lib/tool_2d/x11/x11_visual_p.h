@@ -40,7 +40,8 @@ std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 std::optional<x11_visual> choose_x11_visual(std::span<const x11_visual> offered,
                                             const Visual* preferred, std::string& why);
 
-/// Chooses among all visuals that the screen offers, and prefers its default. Errors: as above.
+/// Chooses among all visuals that the screen offers, and prefers its default.
+/// Errors:  as the function above, which chooses among given visuals.
 std::optional<x11_visual> choose_x11_visual(const x11_connection& connection, std::string& why);
 
 } // namespace l3d_detail

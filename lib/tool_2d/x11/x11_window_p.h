@@ -22,7 +22,7 @@ struct x11_atoms {
     Atom utf8_string = 0;
 };
 
-/// Owns connection, colormap, window and graphics context.
+/// A window on the display. Owns its connection, colormap and graphics context.
 class x11_window {
 public:
     /// Makes a window that is not on the screen yet.
@@ -45,7 +45,7 @@ public:
     const l3d_screen_info& info() const { return colormap_->info(); }
     const x11_colormap& colormap() const { return *colormap_; }
 
-    /// The side, in display pixels, of the square that shows a pixel of ours.
+    /// The side, in display pixels, of the square that shows a pixel of our pictures.
     int scale() const { return scale_; }
 
     /// Notes the display's fineness, as x11_fineness gives it. Returns whether text_scale()
@@ -55,14 +55,14 @@ public:
     /// See l3d_screen::text_scale.
     double text_scale() const { return text_scale_; }
 
-    /// Converts a place from display pixels to ours, rounded down. Sizes are rounded up, so the
-    /// last pixel may be cut.
+    /// Converts a place from display pixels to pixels of our pictures, rounded down. Sizes are
+    /// rounded up, so the last pixel may be cut.
     int ours(int native) const { return (native < 0 ? native - scale_ + 1 : native) / scale_; }
     l3d_size ours(l3d_size native) const {
         return {ours(native.width + scale_ - 1), ours(native.height + scale_ - 1)};
     }
 
-    /// Whether a window manager looked after this display's windows when this one was made.
+    /// Whether a window manager looked after the display's windows when this window was made.
     bool was_managed() const { return managed_; }
 
     void map() { XMapWindow(display(), window_); }
@@ -88,7 +88,8 @@ public:
     /// Sets the properties that can wait until the first picture is shown, which then comes sooner.
     void set_process_and_icon(Atom net_wm_pid, Atom net_wm_icon) const;
 
-    /// Sets one of the window's properties, an array of bytes or of longs, whatever X calls it.
+    /// Sets one of the window's properties: an array of bytes if `format` is 8, or of longs if it
+    /// is 32.
     void set_property(Atom name, Atom type, int format, const void* data, std::size_t count) const;
 
 private:

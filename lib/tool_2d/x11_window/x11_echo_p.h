@@ -19,7 +19,8 @@ class x11_echo {
 public:
     explicit x11_echo(const x11_window& window) : window_(window) {}
 
-    /// Asks the question, and forgets an earlier one. Nothing is sent before Xlib next flushes.
+    /// Asks the server for an answer, and forgets an earlier question. Nothing is sent before Xlib
+    /// next flushes.
     void ask() {
         if (window_.connection().lost())
             return;
@@ -56,7 +57,7 @@ private:
     long name() const { return static_cast<std::int32_t>(serial_); }
 
     const x11_window& window_;
-    unsigned long serial_ = 0; ///< 0: nothing was asked
+    unsigned long serial_ = 0; ///< number of the request that asked; 0: nothing was asked
 };
 
 } // namespace l3d_detail

@@ -59,7 +59,8 @@ public:
 
     bool empty() const { return queue_.empty(); }
 
-    /// Whether the oldest event is a key whose action depends on fullscreen. Expects: !empty().
+    /// Whether the oldest event is about fullscreen: the event `fullscreen`, or the key Escape,
+    /// whose action depends on it. Expects: !empty().
     bool is_about_fullscreen() const {
         const l3d_event& oldest = queue_.front();
         return oldest.type == l3d_event_type::fullscreen ||
@@ -98,7 +99,7 @@ private:
     bool is_autorepeat(const XKeyEvent& release) const;
 
     const x11_window& window_;
-    l3d_size size_; ///< as the server told it
+    l3d_size size_; ///< the window's size, as the server told it
     x11_pointer& pointer_;
     x11_text text_;
     std::deque<l3d_event> queue_;
@@ -113,7 +114,7 @@ private:
     bool exposure_is_due_ = false;     ///< expose is told as soon as the window can be seen
     std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
     std::chrono::milliseconds time_{}; ///< time of the last event that had one; 0: none had
-    XButtonEvent last_press_{};        ///< may become a double click; button 0: none
+    XButtonEvent last_press_{}; ///< the last press, which may become a double click; button 0: none
 };
 
 } // namespace l3d_detail

@@ -110,7 +110,7 @@ void x11_fullscreen::uncover() {
 }
 
 /// Takes the window's place. Events of the server tell places in the parent, which may be a frame.
-/// Those of managers tell places on the screen.
+/// Events of managers tell places on the screen.
 void x11_fullscreen::take_place(const XConfigureEvent& event) {
     const bool is_on_screen = event.send_event != 0 || !state_.facts().managed;
     if (covers_) {

@@ -11,7 +11,7 @@
 
 namespace l3d_detail {
 
-/// Covers the screen with a window, and gives it back its old place.
+/// Covers the screen with a window, or gives the window its old place back.
 ///
 /// It asks a window manager, if one can do so. Otherwise the window covers the monitor that it is
 /// on. The state that the manager reports counts, whoever asked for it. A new manager takes over,
@@ -33,7 +33,7 @@ public:
     /// is known.
     void set(bool on);
 
-    /// Looks at an event about our window: did the pointer move, or the window?
+    /// Takes note of an event about our window, if the pointer or the window has moved.
     void take(const XEvent& event);
 
     /// Follows the window's state, which may have changed.

@@ -72,7 +72,7 @@ private:
     x11_echo echo_;
     l3d_pointer how_ = l3d_pointer::dragged;
     l3d_size size_;
-    Cursor cursor_ = 0; ///< without a pixel; none until it is needed
+    Cursor cursor_ = 0; ///< a cursor without a pixel; 0 until it is needed
     bool has_focus_ = false;
     bool is_held_ = false;
     xcb_grab_pointer_cookie_t asked_{};

@@ -39,7 +39,8 @@ double resource_dpi(std::string_view resources) {
 /// missing.
 class settings_reader {
 public:
-    /// Expects: a text whose first byte is 0 if numbers have their low byte first.
+    /// Begins at the text's start. Expects: a text whose first byte is 0 if numbers have their low
+    /// byte first.
     explicit settings_reader(std::string_view text)
         : rest_(text), is_low_first_(!text.empty() && text[0] == 0) {
         skip(4);

@@ -21,8 +21,8 @@ inline int x11_scale(const l3d_screen_request& request) {
 }
 
 /// The size of the picture, in our pixels. If the request names a scale, it is the requested size.
-/// Otherwise the requested size is multiplied by the display's fineness, within X's limits, so that
-/// the window has its usual size for people.
+/// Otherwise the requested size is multiplied by the display's fineness, within X's limits. So
+/// people see the window as large as on a usual display.
 /// Cost:    none; Xlib has read the resources when it opened the display.
 /// Source:  GLFW takes Xft.dpi in units of 96, like the toolkits that the user's settings are for.
 l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request);
@@ -35,8 +35,8 @@ double x11_fineness(const x11_connection& connection);
 /// The fineness that the text of an XSETTINGS manager gives, else the display's resources.
 double x11_fineness(std::string_view settings, std::string_view resources);
 
-/// The setting Xft/DPI in the text of an XSETTINGS manager, in dots an inch; none if there is none,
-/// or if the text is not whole.
+/// The setting Xft/DPI in the text of an XSETTINGS manager, in dots an inch. Nothing if the text
+/// has no such setting, or is not whole.
 /// Source:  the XSETTINGS protocol of freedesktop.org: numbers in the writer's order of bytes, each
 ///          setting with type, name, serial and value, padded to words; dots in units of 1/1024.
 std::optional<double> xsettings_dpi(std::string_view text);

@@ -18,7 +18,7 @@ namespace l3d_detail {
 /// A turn of a fine wheel.
 struct x11_turn {
     XMotionEvent motion; ///< the pointer's place, time and modifiers, as in an event of X
-    double notches = 0;  ///< away from the user; 0: only the pointer moved
+    double notches = 0;  ///< notches away from the user; 0: only the pointer moved
 };
 
 /// The fine wheels of a display, by XInput 2.1.
@@ -33,8 +33,7 @@ class x11_scroll {
 public:
     explicit x11_scroll(const x11_window& window);
 
-    /// Sends the questions, or goes on with them. Call it now and then once there is a
-    /// picture.
+    /// Asks the server about wheels, step by step. Call it now and then once there is a picture.
     void look_after();
 
     /// Looks at an event. Gives the motion or turn that it tells of, else nothing.
@@ -46,8 +45,9 @@ private:
     /// A wheel's name: its device, and its number there.
     using name = std::pair<std::uint16_t, std::uint16_t>;
     struct wheel {
-        double increment = 0;       ///< the length of a notch; 0: the axis is no wheel
-        std::optional<double> last; ///< its position; nothing after the pointer was elsewhere
+        double increment = 0; ///< the length of a notch; 0: the axis is no wheel
+        /// The wheel's position; nothing after the pointer was elsewhere.
+        std::optional<double> last;
     };
 
     void proceed();
@@ -62,7 +62,7 @@ private:
     x11_echo echo_;
     stage stage_ = stage::unasked;
     bool is_due_ = true;
-    std::uint8_t opcode_ = 0; ///< 0: the server has no such extension
+    std::uint8_t opcode_ = 0; ///< the extension's number; 0: the server has no such extension
     xcb_input_xi_query_device_cookie_t devices_{};
     std::uint8_t mask_ = 0; ///< the events that we listen to
     std::map<name, wheel> wheels_;

@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// Our side of _NET_WM_SYNC_REQUEST.
+/// Keeps a window manager from resizing the window faster than we draw, by _NET_WM_SYNC_REQUEST.
 ///
 /// The manager names a number, gives the window a size, and waits until a counter in the server has
 /// the number. We set the counter right after the first picture of that size, since the server does
@@ -22,7 +22,7 @@ public:
     /// Cost:    two round trips if there is a manager.
     explicit x11_sync(const x11_window& window);
 
-    /// Looks at an event: is it a number, or a size that follows one?
+    /// Takes note of an event that brings a number from the manager, or the size that follows it.
     void take(const XEvent& event);
 
     /// Notes that the window has a picture of this size.
@@ -32,7 +32,7 @@ private:
     enum class step { idle, asked, sized };
 
     const x11_window& window_;
-    Atom protocol_ = 0; ///< 0: not offered
+    Atom protocol_ = 0; ///< the protocol's name, as X numbers it; 0: it is not offered
     XSyncCounter counter_ = 0;
     XSyncValue number_{};
     l3d_size size_{};

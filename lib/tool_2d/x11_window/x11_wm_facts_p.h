@@ -20,9 +20,9 @@ namespace l3d_detail {
 struct x11_facts {
     bool managed = false;           ///< a window manager looks after windows
     bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
-    bool fullscreen = false;        ///< whether the manager says so; false if it tells nothing
+    bool fullscreen = false;        ///< the manager says that our window is fullscreen
     bool away = false; ///< our window is minimised, on another workspace, or not viewable
-    std::vector<l3d_pixel_box> monitors{}; ///< in the display's pixels; empty: not known
+    std::vector<l3d_pixel_box> monitors{}; ///< places in the display's pixels; empty: not known
     double fineness = 1; ///< as x11_fineness gives it, by a manager of settings or the resources
 };
 
@@ -57,7 +57,7 @@ public:
 
     const x11_facts& facts() const { return facts_; }
 
-    /// The number of a name; 0 as long as the server has not told it.
+    /// The number that X has for a name; 0 as long as the server has not told it.
     Atom atom(name which) const { return atoms_[which]; }
 
     /// Asks for everything, and from then on hears of changes by itself.
