@@ -53,7 +53,7 @@ struct L3D_PUBLIC l3d_placement_2d {
         return {{left + (x - 1) / 2, top + (y - 1) / 2}, {x, 0}, {0, y}};
     }
 
-    /// The point to which a point is moved.
+    /// The point to which this placement moves p.
     l3d_point_2d at(l3d_point_2d p) const {
         return {origin.x + (p.x * across.x + p.y * down.x),
                 origin.y + (p.x * across.y + p.y * down.y)};
@@ -78,11 +78,11 @@ struct L3D_PUBLIC l3d_placement_2d {
 
 /// The way in which a pixel gets its colour from an image.
 enum class L3D_PUBLIC l3d_image_filter {
-    /// The colour of the image's pixel whose square contains the sample: hard edges, no new
-    /// colours. A sample on a side belongs to the pixel to its right or below.
+    /// The colour of the image's pixel whose square contains the sample. Edges stay hard, and no
+    /// new colours appear. A sample on a side belongs to the pixel to its right or below.
     nearest,
     /// Bilinear interpolation between the image's four pixels around the sample. An enlarged image
-    /// becomes smooth; when an image shrinks, pixels in between are lost.
+    /// becomes smooth; when an image shrinks, some of its pixels are skipped.
     linear,
     /// The exact mean over the pixel's square, where each pixel of the image is a square of one
     /// colour. Nothing is lost when an image shrinks; an enlarged image shows squares with smooth
@@ -96,7 +96,8 @@ struct L3D_PUBLIC l3d_placed_image {
     l3d_pixels pixels;                                ///< the image; borrowed while drawing
     l3d_placement_2d place{};                         ///< place of the image in the picture
     l3d_image_filter filter = l3d_image_filter::area; ///< the way to find a pixel's colour
-    bool transparent = false; ///< whether the words' highest byte tells how transparent they are
+    /// Whether the highest byte of the image's words tells how transparent its pixels are.
+    bool transparent = false;
 };
 
 #endif

@@ -18,22 +18,22 @@
 /// The number of fraction bits in the place of every surface vertex. Products of two coordinate
 /// differences of a 64-pixel quad then fit 32 bits (2 * (6 + 8) + 2 sign and sum bits = 30).
 inline constexpr int l3d_subpixel_bits = 8;
-/// One pixel, in units of these places.
+/// One pixel, in the units of a surface vertex's place.
 inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 
 /// A vertex of a surface.
 ///
-/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23.
-///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0.
-///        normal = the direction of dS/du x dS/dv in world space, not yet turned to the eye: a
-///        unit vector, or zero. Fast fills rely on that.
+/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23. inv_w = 1
+///        / distance along the view axis, in 1 / world units, > 0. normal = the direction of dS/du
+///        x dS/dv in world space, not yet turned to the eye: a unit vector, or zero. Fast fills
+///        rely on unit normals.
 ///
-/// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings.
-/// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)
-/// - [1] and [2] are bends of sides: a side's level in its middle less the mean of its ends. In a
-///   grid these are the sides to the next vertices along u and v.
-/// - In a triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1],
-///   and the bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
+/// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings. - [0] is
+/// the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).) - [1] and
+/// [2] are bends of sides: the level in a side's middle, less the mean of the levels at its ends.
+/// In a grid, they belong to the sides that lead to the next vertices along u and v. - In a
+/// triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1], and the
+/// bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
 struct L3D_PUBLIC l3d_micro_vertex {
     /// The place in the picture.
     std::int32_t x = 0, y = 0;
@@ -57,14 +57,14 @@ struct L3D_PUBLIC l3d_micro_grid {
 
     /// Whether the picture shows both sides of the surface. Normals, or levels and bends, belong to
     /// the side to which dS/du x dS/dv points. A quad (or a piece of a folded quad) that turns to
-    /// the right in the picture shows the other side. Its light has the other sign.
+    /// the right in the picture shows the other side, and its light has the other sign.
     bool shows_both = false;
 
     /// Whether the projection is parallel. Then w is the same everywhere, whatever inv_w is.
     bool is_parallel = false;
 
-    /// The quads that are not drawn, since triangles replace them. Each is the index() of its first
-    /// corner, in rising order.
+    /// The quads that are not drawn, since triangles replace them. A quad is named by the index()
+    /// of its first corner, in rising order.
     std::vector<std::uint32_t> cut;
 
     /// Whether a quad is in `cut`. Expects: the index of its first corner.
@@ -96,9 +96,9 @@ struct L3D_PUBLIC l3d_micro_grid {
                static_cast<std::size_t>(column);
     }
 
-    /// All numbers of a vertex. Expects: a row and a column of the grid.
+    /// The place, inv_w and normal of a vertex. Expects: a row and a column of the grid.
     l3d_micro_vertex vertex(int row, int column) const { return vertex(index(row, column)); }
-    /// All numbers of the vertex at an index.
+    /// The place, inv_w and normal of the vertex at an index.
     l3d_micro_vertex vertex(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
     }
@@ -158,9 +158,10 @@ struct L3D_PUBLIC l3d_micro_triangles {
             grow(count + more);
     }
 
-    /// Corner number `at` of all triangles in a triangle's block. Expects: room for it; at < 3.
+    /// Corner number `at` of all triangles in a triangle's block. Expects: room for the triangle;
+    /// at < 3.
     corner& corners(std::size_t triangle, std::size_t at) { return blocks[triangle / lanes][at]; }
-    /// Corner number `at` of all triangles in a triangle's block, for reading.
+    /// Corner number `at` of all triangles in a triangle's block, which the caller may only read.
     const corner& corners(std::size_t triangle, std::size_t at) const {
         return blocks[triangle / lanes][at];
     }
@@ -172,8 +173,8 @@ struct L3D_PUBLIC l3d_micro_triangles {
         return {c.x[i], c.y[i], c.inv_w[i], {c.normal[0][i], c.normal[1][i], c.normal[2][i]}};
     }
 
-    /// Twice the area of a triangle in the picture, positive if its corners turn to the right
-    /// there.
+    /// Twice the area of a triangle in the picture, positive if its corners turn to the right in
+    /// the picture.
     /// Units: 1/65536 square pixel.
     /// Expects: triangle < count.
     std::int64_t double_area(std::size_t triangle) const {
@@ -207,7 +208,8 @@ struct L3D_PUBLIC l3d_block_starts {
     static constexpr int most_blocks = 4;
     /// The number of blocks.
     int blocks = 1;
-    /// The first row or column of quads in each block; the last entry is the number of all of them.
+    /// The first row or column of quads in each block; the entry after the last block is the number
+    /// of all rows or columns.
     std::array<int, most_blocks + 1> first{};
 };
 
@@ -217,7 +219,8 @@ struct L3D_PUBLIC l3d_block_starts {
 ///        quad's corners p00 p10 p11 p01 turn to the right there. The same holds for a triangle's
 ///        side, which goes from a corner to the next one.
 struct L3D_PUBLIC l3d_border_edge {
-    /// The line between two vertices, without a level. The caller sets what lies beside it.
+    /// The line between two vertices, without a level of light. The caller sets what lies beside
+    /// it.
     static l3d_border_edge between(const l3d_micro_vertex& from, const l3d_micro_vertex& to) {
         l3d_border_edge edge;
         edge.from_x = from.x;
@@ -246,7 +249,7 @@ struct L3D_PUBLIC l3d_border_edge {
     float level = 0;
     /// The grid's row of the quad beside the line; 0 for a triangle's side.
     int row = 0;
-    /// The grid's column of that quad, or the triangle's number.
+    /// The grid's column of the quad beside the line, or the triangle's number.
     int column = 0;
     /// The number of the quad's side: 0 is p00 to p10, then p10 to p11, p11 to p01, p01 to p00. For
     /// a triangle, the number of the corner at which the side begins.
@@ -255,11 +258,11 @@ struct L3D_PUBLIC l3d_border_edge {
     /// cut off there.
     bool always = false;
 
-    /// The larger inv_w of its ends, which belongs to the nearer end.
+    /// The larger inv_w of the line's ends, which belongs to the nearer end.
     float nearest() const { return std::max(from_inv_w, to_inv_w); }
 };
 
-/// A part of a surface: a grid of micro-quads and loose triangles, drawn together.
+/// A part of a surface: a grid of micro-quads and loose triangles, which are filled together.
 ///
 /// Shape:   the grid may be empty (rows < 2); triangles may be none.
 /// Expects: blocks in order, the last of block_rows (block_columns) ending with the grid's last row
@@ -274,8 +277,9 @@ struct L3D_PUBLIC l3d_surface_part {
     /// Triangles that belong to no grid.
     l3d_micro_triangles triangles;
     /// The lines at which the surface ends or continues in another part, for anti-aliasing. Where
-    /// some are missing, pixels are drawn in a slower way, and shapes thinner than a pixel may be
-    /// missed. In a part without a grid, these are the sides of its triangles, in their order.
+    /// some lines are missing, pixels are drawn in a slower way, and shapes thinner than a pixel
+    /// may be missed. In a part without a grid, the lines are the sides of its triangles, in the
+    /// triangles' order.
     std::vector<l3d_border_edge> border;
     /// The blocks of the grid that need not be drawn: bit 4 * row + column is set for each.
     unsigned unseen = 0;

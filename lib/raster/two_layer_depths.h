@@ -13,7 +13,7 @@
 #include <span>
 #include <vector>
 
-/// A patch in the picture, and the patches of its model that it touches.
+/// The patch to which a part's polygons belong, and the patches of its model that it touches.
 ///
 /// Lives: borrows the list.
 struct l3d_sheet_patch {
@@ -32,8 +32,9 @@ struct l3d_sheet_patch {
 /// in each pixel.
 ///
 /// A polygon covers pixels by the picture's own rule, so a sheet that is not folded is met once in
-/// each pixel. At the rims of patches, slits and rims may overlap by less than the bound. There,
-/// the polygons of a patch and of its neighbours count as one sheet if their slopes are alike.
+/// each pixel. At the borders of patches, slits and rims may overlap by less than the bound of
+/// places. There, the polygons of a patch and of its neighbours count as one sheet if their slopes
+/// are alike.
 /// Cost:    36 bytes for each pixel, and some 20 ns for each pixel and sheet.
 class l3d_two_layer_depths {
 public:
@@ -56,10 +57,11 @@ private:
     /// The kinds of polygons, by their place in a part. Triangles close slits.
     static constexpr std::uint32_t inner = 0, rim = 1, slit = 2, kinds = 3;
 
-    /// A sheet at the centre of a pixel.
+    /// A sheet of surface at the centre of a pixel.
     struct fragment {
         float inv_w = 0, along_x = 0, along_y = 0; ///< inv_w, and its change to the next pixels
-        /// Kinds times the patch's index in patches_, plus the polygon's kind.
+        /// The polygon's patch and kind, as one number: `kinds` times the patch's index in
+        /// patches_, plus the kind.
         std::uint32_t owner = 0;
     };
     struct pixel {

@@ -12,7 +12,8 @@
 
 namespace l3d_detail {
 
-/// A chain in a block of neighbouring rows of pixels. Each lane is a row.
+/// A chain, one side of an area, laid out in a block of neighbouring rows of pixels. Each lane is a
+/// row.
 /// Units:   pixels; row r from y = r to r + 1.
 struct side_block {
     static constexpr std::size_t rows = 8;
@@ -46,8 +47,8 @@ public:
     /// Begins at the top of a chain. Expects: the chain has not entered a row yet.
     side_walk(const chain& of, const l3d_point_2d* corners);
 
-    /// The heights at which the chain begins and ends. Level edges at its ends are left out, as
-    /// they bound no area.
+    /// The heights at which the chain begins and ends. Horizontal edges at its ends are left out,
+    /// as they bound no area.
     double begin() const { return begin_; }
     double end() const { return (behind_ - step_)->y; }
 
@@ -61,7 +62,7 @@ public:
     ///          beyond the chain's end.
     void lay_out(std::int32_t row, std::size_t count, side_block& block);
 
-    /// x at the place that the walk has reached.
+    /// The x of the place that the walk has reached.
     double x() const { return x_; }
 
     /// The part of the chain in a row of a block.

@@ -11,11 +11,12 @@
 
 namespace l3d_detail {
 
-/// A run of columns first <= column < last in a row. They share one value, or have a value each.
+/// The coverage of columns first <= column < last in a row. They share one value, or have a value
+/// each.
 struct covered_run {
     std::int32_t row, first, last;
-    std::int32_t value; ///< value of all columns; -1: each has its own
-    std::size_t values; ///< index of the first column's value, if each has its own
+    std::int32_t value; ///< value of all columns; -1: each column has a value of its own
+    std::size_t values; ///< index of the first column's value, if each column has its own
 };
 
 /// The coverage of columns first <= column < last in a row. Columns before `between`, and from

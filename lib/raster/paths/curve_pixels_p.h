@@ -159,8 +159,8 @@ inline double pixel_steps(const l3d_curve_2d& curve) {
     return 3 * (place + reach * weight) / least;
 }
 
-/// Adds the pixels nearest to the points of a curve to a run. The run ends where the curve is out
-/// of sight.
+/// Adds the pixels nearest to the points of a curve to a run. The run ends where the curve is
+/// outside of the box `seen`.
 template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& seen, Run& run) {
     if (seen.misses(curve))
         return run.end();

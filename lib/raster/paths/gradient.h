@@ -17,7 +17,7 @@
 struct L3D_PUBLIC l3d_color_stop {
     double at = 0;       ///< place: from 0, the beginning, to 1, the end
     l3d_color color = 0; ///< 0x00RRGGBB
-    double alpha = 1;    ///< opacity: from 0, invisible, to 1, opaque
+    double alpha = 1; ///< opacity: from 0, invisible, to 1, opaque
 };
 
 /// The continuation of a gradient before its beginning and behind its end.
@@ -30,8 +30,8 @@ enum class L3D_PUBLIC l3d_spread {
 /// Colours that change along a line, or from a place outwards.
 ///
 /// Red, green, blue and alpha are each linear between two stops, in the coded values of pixel
-/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. That
-/// holds also where stops jump or a gradient repeats within a pixel.
+/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. It
+/// gets this mean also where stops jump or a gradient repeats within the pixel.
 ///
 /// A linear gradient is exact. A radial one is taken as linear in each of up to 32 x 32 parts of
 /// the square. So a place where stops jump moves by less than 1/512 pixel, if it is more than 1/8
@@ -54,7 +54,7 @@ public:
         return radial(center, radius, center, stops, spread);
     }
     /// Makes a gradient from a focus to a circle: along each ray, the gradient goes from 0 at the
-    /// focus to 1 on the circle. A focus that is not inside of the circle is moved there, to 1 -
+    /// focus to 1 on the circle. A focus that is not inside of the circle is moved into it, to 1 -
     /// 2^-10 of the radius.
     /// Expects: stops in order, at least one; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius, l3d_point_2d focus,
