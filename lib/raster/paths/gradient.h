@@ -16,7 +16,7 @@
 /// A colour at a place along a gradient.
 struct L3D_PUBLIC l3d_color_stop {
     double at = 0;       ///< place: from 0, the beginning, to 1, the end
-    l3d_color color = 0; ///< 0x00RRGGBB
+    l3d_color color = 0; ///< the colour, 0x00RRGGBB
     double alpha = 1; ///< opacity: from 0, invisible, to 1, opaque
 };
 
@@ -115,7 +115,7 @@ private:
 ///          (0, 0), (1, 0), (0, 1), (1, 1), bilinear between these corners.
 struct L3D_PUBLIC l3d_mesh_patch {
     std::array<std::array<l3d_point_2d, 4>, 4> points; ///< control points, in pixels
-    std::array<std::uint32_t, 4> colors{};             ///< 0x00RRGGBB
+    std::array<std::uint32_t, 4> colors{};             ///< the colours at the corners, 0x00RRGGBB
 
     /// Makes a Coons patch, as in PDF shadings of type 6. Its inner control points follow from its
     /// borders.

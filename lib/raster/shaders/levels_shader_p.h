@@ -22,7 +22,7 @@ namespace l3d_detail {
 class levels_shader {
 public:
     static constexpr std::size_t components =
-        2; ///< the place in the picture, from the first corner
+        2; ///< the place in the picture, relative to the first corner
 
     /// Begins a quad: polygons are pieces of it until end_quad.
     void begin_quad(const quad_corners& v) {
@@ -52,11 +52,11 @@ public:
         return std::min(grey, 255u) * 0x010101u;
     }
 
-    /// A bound for the error of levels, as the change of w over the polygon is neglected. A level
-    /// is a mean of the corners' numbers, with weights that add up to 1. The true weights are these
-    /// times the corners' w, scaled to add up to 1. They differ by (ratio - 1) / 4 at most, where
-    /// ratio is the largest w by the least. So the error is at most this times the range of the
-    /// numbers.
+    /// A bound for the error of levels, which comes from neglecting the change of w over the
+    /// polygon. A level is a mean of the corners' numbers, with weights that add up to 1. The true
+    /// weights are these times the corners' w, scaled to add up to 1. True and used weights differ
+    /// by (ratio - 1) / 4 at most, where ratio is the largest w divided by the least. So the error
+    /// is at most (ratio - 1) / 4 times the range of the numbers.
     float error() const { return error_; }
 
 private:

@@ -9,10 +9,12 @@
 
 namespace l3d_detail {
 
-/// A normal in two words, with components rounded to multiples of 1 / scale, 16 bits each.
+/// A normal in two words, to be stored in place of a pixel's colour, with components rounded to
+/// multiples of 1 / scale, 16 bits each.
 ///
 /// Components are at most 1 for unit normals, and at most 1.75 on a plane through four corners, so
-/// they fit. The error of a normal of length 1 is at most sqrt(3) / 2 / scale = 2^-14.2.
+/// they fit into 16 bits. The error of a normal of length 1 is at most sqrt(3) / 2 / scale =
+/// 2^-14.2.
 struct normal_code {
     static constexpr float scale = 16383;
 
@@ -21,7 +23,7 @@ struct normal_code {
     static constexpr float whole_numbers = 12582912;
 
     std::uint32_t xy = 0; ///< x in the lower half, y in the upper
-    std::uint32_t z = 0;  ///< z in the upper half; the lower half is free for others
+    std::uint32_t z = 0; ///< z in the upper half; the lower half is free for other data
 
     /// Encodes a normal. Expects: components below 2 in size.
     static normal_code of(const float* normal) {

@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-/// Draws by the CPU into pixel words in memory, whichever screen they belong to.
+/// Draws by the CPU into pixel words in memory, whichever screen the words belong to.
 ///
 /// Cost: allocates when the target is higher, or a polygon has more corners, than any before.
 class l3d_rasterizer_2d_sw_imp : public l3d_rasterizer_2d_imp {

@@ -17,11 +17,11 @@
 /// and shade inside differ a little from the plane that the CPU lays through it.
 ///
 /// Positions are exact within 8192 pixels of the middle of the picture. Polygons that reach further
-/// are clipped there, with rounding. The CPU draws pictures larger than GL's largest, and pictures
-/// with several lights or highlights.
+/// are clipped at this distance, with rounding. The CPU draws pictures larger than GL's largest,
+/// and pictures with several lights or highlights.
 /// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
-/// Cost:    drawing gathers polygons. Every batch is drawn twice if pixels are counted, once only
-///          for its samples.
+/// Cost:    drawing gathers polygons. If pixels are counted, every batch is drawn twice: once for
+///          its samples alone, and once for its pixels.
 class l3d_surface_rasterizer_mesa final : public l3d_surface_rasterizer {
 public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
@@ -37,7 +37,7 @@ private:
 
     struct vertex {
         float position[3];                    ///< x, y in pixels, inv_w
-        float normal[3];                      ///< in mode `error`: red, green, blue
+        float normal[3]; ///< the normal; in mode `error`, the colour's red, green and blue
         std::array<std::uint8_t, 4> material; ///< colour of the material: red, green, blue
     };
 
@@ -50,7 +50,8 @@ private:
 
     l3d_detail::mesa_target gl_target_;
     l3d_pixels target_;
-    l3d_depth_buffer own_depth_; ///< used to count covered pixels, without a caller's buffer
+    /// Depths for counting covered pixels, if the caller gave no buffer.
+    l3d_depth_buffer own_depth_;
     l3d_depth_buffer* depth_ = nullptr;
     l3d_shading shading_;
     l3d_surface_counts counts_;
@@ -59,8 +60,9 @@ private:
     std::vector<vertex> batch_;
     l3d_size held_size_;
     bool fits_ = false;    ///< whether GL can hold the picture
-    bool by_cpu_ = false;  ///< whether the CPU draws this frame, as it does not fit or is lit
-    bool cleared_ = false; ///< whether GL's picture is that of this frame
+    /// Whether the CPU draws this frame, as the picture does not fit or the frame is lit.
+    bool by_cpu_ = false;
+    bool cleared_ = false; ///< whether GL's picture was cleared for this frame
     unsigned query_ = 0;
     l3d_surface_rasterizer_scalar cpu_;
 };
