@@ -82,8 +82,8 @@ private:
 ///
 /// Units: distances along the view axis, in world units.
 struct L3D_PUBLIC l3d_fog {
-    float from = 0;                   ///< distance at which fog begins
-    float to = 0;                     ///< distance at which fog hides everything
+    float from = 0; ///< distance at which fog begins
+    float to = 0;   ///< distance at which fog hides everything
     /// The fog's pixel word; none: the background's colour in each row.
     std::optional<l3d_color> color{};
 

@@ -20,7 +20,7 @@ using l3d_light_color = std::array<float, 3>;
 /// A light so far away that its rays are parallel.
 struct L3D_PUBLIC l3d_far_light {
     std::array<float, 3> direction{0, 0, 1}; ///< unit vector towards the light, world space
-    l3d_light_color color{1, 1, 1}; ///< the light's brightness in red, green and blue
+    l3d_light_color color{1, 1, 1};          ///< the light's brightness in red, green and blue
 
     friend bool operator==(const l3d_far_light&, const l3d_far_light&) = default;
 };

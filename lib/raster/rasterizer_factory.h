@@ -51,7 +51,7 @@ private:
 
 /// Whether lines and polygons of one colour get hard or smooth edges.
 enum class L3D_PUBLIC l3d_edges {
-    hard, ///< each pixel is coloured wholly or not at all, as l3d_rasterizer_2d says
+    hard,  ///< each pixel is coloured wholly or not at all, as l3d_rasterizer_2d says
     smooth ///< drawn as by draw_path and draw_line_antialiased, whatever call draws them
 };
 

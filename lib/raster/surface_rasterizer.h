@@ -163,8 +163,7 @@ struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t unsolved = 0;
     /// Polygons whose errors exceed l3d_most_level_error or l3d_most_normal_error, counted at each
     /// set-up.
-    std::int64_t unproven_levels =
-        0;
+    std::int64_t unproven_levels = 0;
 };
 
 /// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.

@@ -17,7 +17,7 @@
 struct L3D_PUBLIC l3d_color_stop {
     double at = 0;       ///< place: from 0, the beginning, to 1, the end
     l3d_color color = 0; ///< the colour, 0x00RRGGBB
-    double alpha = 1; ///< opacity: from 0, invisible, to 1, opaque
+    double alpha = 1;    ///< opacity: from 0, invisible, to 1, opaque
 };
 
 /// The continuation of a gradient before its beginning and behind its end.

@@ -42,7 +42,7 @@ public:
     /// The kind of a piece. Each kind's comment tells how many points a piece adds.
     enum class kind : std::uint8_t {
         move,  ///< 1 point: an outline begins
-        line, ///< 1 point: the line's end
+        line,  ///< 1 point: the line's end
         curve, ///< 3 points with weights: two control points and the curve's end
         close  ///< 0 points: back to the outline's beginning
     };

@@ -128,7 +128,7 @@ public:
         std::size_t first_block, blocks; ///< index of its first block, and the number of its blocks
         std::size_t chains; ///< the first of its two chains; `none` if it is not cut into two
         std::uint8_t layer; ///< 0: of the filled path; 1: of its clip path
-        bool apart; ///< whether its box meets no other outline's box; find_apart sets it
+        bool apart;         ///< whether its box meets no other outline's box; find_apart sets it
 
         static constexpr std::size_t none = ~std::size_t{0};
         bool is_pair() const { return chains != none; }
@@ -155,7 +155,7 @@ private:
     std::int32_t height_ = 0;
     l3d_point_2d move_{};
     std::size_t outline_ = 0; ///< the index of the present outline's first corner
-    columns reached_{}; ///< the range of x of the present outline's corners
+    columns reached_{};       ///< the range of x of the present outline's corners
     kept_list<l3d_point_2d> corners_;
     std::vector<l3d_point_2d> uncut_;
     std::vector<chain> chains_;

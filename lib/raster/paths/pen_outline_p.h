@@ -40,7 +40,7 @@ private:
         double length;
         /// Directions of the path at both ends; the pen is square to them.
         l3d_point_2d begins, ends;
-        bool smooth;               ///< whether its beginning lies within a curve
+        bool smooth; ///< whether its beginning lies within a curve
     };
 
     /// The place where two chords meet.

@@ -16,7 +16,7 @@ namespace l3d_detail {
 /// The way by which an outline reaches the place in a pixel at which an edge begins.
 enum class cell_begin : std::uint8_t {
     /// The outline's first corner lies in the pixel, or the outline may cross itself there.
-    enters, ///< the outline enters by a side other than the left one, or by an unknown side
+    enters,    ///< the outline enters by a side other than the left one, or by an unknown side
     continues, ///< the edge begins where the outline's edge before it ends
     unclear,
     enters_left, ///< the outline enters by the pixel's left side
@@ -56,7 +56,7 @@ struct alignas(64) edge_block {
     numbers turns;
     /// As `turns`, if the edge's upper or lower end is on the pixel's left side; else 0.
     numbers up_left, down_left;
-    numbers adds; ///< the edge's part of the integral of the winding number over the pixel
+    numbers adds;        ///< the edge's part of the integral of the winding number over the pixel
     numbers top, bottom; ///< the heights between which the edge may be a border of the inside
     std::array<std::uint32_t, size> edge; ///< as edge_record::edge
 

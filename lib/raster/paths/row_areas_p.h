@@ -141,7 +141,7 @@ private:
     /// The state of a chord among chords that cross.
     struct track {
         std::size_t place; ///< the chord's place in the order from left to right
-        double since; ///< the height at which the chord became a border, if its sign is not 0
+        double since;      ///< the height at which the chord became a border, if its sign is not 0
         int sign; ///< 0: the chord is no border; 1: the inside is on its right; -1: on its left
     };
 

@@ -101,10 +101,10 @@ private:
     marked_pixels pixels_;
     quad_boxes boxes_;
     std::vector<fragment_polygon> polygons_; ///< polygons that were added, and room for more
-    std::size_t polygon_count_ = 0; ///< number of polygons that were added
-    std::vector<fragment> fragments_; ///< fragments of all pixels, and room for more
+    std::size_t polygon_count_ = 0;          ///< number of polygons that were added
+    std::vector<fragment> fragments_;        ///< fragments of all pixels, and room for more
     std::vector<fragment> kept_;             ///< fragments left after hidden ones are removed
-    std::size_t count_ = 0; ///< number of fragments in use
+    std::size_t count_ = 0;                  ///< number of fragments in use
     std::size_t most_fragments_ = 0; ///< number of fragments at which hidden ones are removed
     /// For each polygon, its new index after hidden fragments are removed.
     std::vector<std::uint32_t> names_;

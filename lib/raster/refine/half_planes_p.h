@@ -28,7 +28,7 @@ public:
     static constexpr std::size_t in_row = steps + 2;
     /// The index of e = 0 in a row of the table.
     static constexpr float middle = (steps + 1) / 2.0f;
-    static constexpr float first_turn = turns / 2.0f;   ///< the row of the table for dx = 0
+    static constexpr float first_turn = turns / 2.0f; ///< the row of the table for dx = 0
 
     /// Makes the table. The square has `cells` x `cells` cells. A place is the middle of the cell
     /// in column x and row y.

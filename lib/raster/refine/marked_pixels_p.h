@@ -24,7 +24,7 @@ struct marked_pixel {
     /// farthest depth drawn in the pixel and around it. Polygons that cover all samples may bring
     /// this depth nearer.
     float farthest;
-    float least; ///< the least inv_w of the polygons that were added to the pixel
+    float least;           ///< the least inv_w of the polygons that were added to the pixel
     std::uint64_t covered; ///< the samples that these polygons cover, as bits
 };
 

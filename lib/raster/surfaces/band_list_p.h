@@ -22,7 +22,7 @@ namespace l3d_detail {
 struct band_item {
     const l3d_surface_part* part = nullptr;
     l3d_pixel_box box{}; ///< the pixels of the window that the item may cover
-    float nearest = 0; ///< upper bound of inv_w in the item's pixels
+    float nearest = 0;   ///< upper bound of inv_w in the item's pixels
     float order = 0;     ///< items with larger numbers are drawn first
     grid_cells cells{};
     std::uint32_t triangle_begin = 0, triangle_end = 0; ///< range of the part's triangles

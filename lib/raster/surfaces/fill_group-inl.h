@@ -234,7 +234,7 @@ private:
         to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
-    std::size_t at_ = 0; ///< index of the vector's first polygon in the queue
+    std::size_t at_ = 0;  ///< index of the vector's first polygon in the queue
     int_vec x_[4], y_[4]; ///< the corners, relative to the centre of pixel (column_, row_)
     int_vec column_, row_;
     /// Columns and rows of the polygon's box in the band, relative to (column_, row_).

@@ -206,7 +206,7 @@ struct lane_places {
     /// The change of s and t from a column of the picture to the next.
     float_vec column_s, column_t;
     int_mask fits, piece; ///< polygons that are filled with this vector, and pieces of quads
-    int_mask triangle;            ///< polygons that have their last corner twice
+    int_mask triangle;    ///< polygons that have their last corner twice
     /// Distance between the middles of a quad's diagonals, in parts of the diagonals.
     float_vec uneven;
 };

@@ -78,22 +78,23 @@ struct fill_row_normal {
 /// the picture's right edge, a run that would not fit begins further left.
 struct fill_table {
     fill_words words;
-    lane_array<std::uint32_t> material;         ///< as fill_words::of_material gives it
+    lane_array<std::uint32_t> material; ///< as fill_words::of_material gives it
     /// Indices of column 0 of the polygon's first row, in band.words and band.depths.
     lane_array<std::int32_t> word_at, depth_at;
-    lane_array<std::int32_t> height;            ///< number of rows; 0 if there is nothing to fill
+    lane_array<std::int32_t> height; ///< number of rows; 0 if there is nothing to fill
     /// Pixels of the longest row; > most_pixels at the picture's right edge.
     lane_array<std::int32_t> longest;
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;
-    lane_array<float> lit_xx; ///< the change of the change of `lit`, if it is a parabola
+    lane_array<float> lit_xx; ///< the factor of the column's square, if `lit` is a parabola
     /// The changes of a normal's y and z from column to column.
     lane_array<float> normal_y_x, normal_z_x;
-    lane_array<std::int32_t> twisted;         ///< 0: the polygon is flat
+    lane_array<std::int32_t> twisted; ///< 0: the polygon is flat
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];
-    lane_array<float> bent_rows[most_pixels + 1]; ///< the change of `lit` to the next column
+    /// The slope of `lit` at `begin`, if it is a parabola.
+    lane_array<float> bent_rows[most_pixels + 1];
     fill_row_normal normal_rows[most_pixels + 1];
 };
 

@@ -36,8 +36,8 @@ private:
     const l3d_surface_counts& do_counts() const override;
 
     struct vertex {
-        float position[3];                    ///< x, y in pixels, inv_w
-        float normal[3]; ///< the normal; in mode `error`, the colour's red, green and blue
+        float position[3]; ///< x, y in pixels, inv_w
+        float normal[3];   ///< the normal; in mode `error`, the colour's red, green and blue
         std::array<std::uint8_t, 4> material; ///< colour of the material: red, green, blue
     };
 
@@ -59,7 +59,7 @@ private:
     std::array<std::uint8_t, 4> color_{}; ///< colour of the next vertices' material
     std::vector<vertex> batch_;
     l3d_size held_size_;
-    bool fits_ = false;    ///< whether GL can hold the picture
+    bool fits_ = false; ///< whether GL can hold the picture
     /// Whether the CPU draws this frame, as the picture does not fit or the frame is lit.
     bool by_cpu_ = false;
     bool cleared_ = false; ///< whether GL's picture was cleared for this frame

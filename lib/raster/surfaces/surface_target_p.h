@@ -20,7 +20,7 @@ struct surface_target {
     scan_polygon scan;
     fill_counts counts;
     fill_words coding{};
-    std::uint32_t material = 0;      ///< the polygons' material, as fill_words::of_material has it
+    std::uint32_t material = 0; ///< the polygons' material, as fill_words::of_material has it
     /// Cuts that limit the polygons; only pixels that all cuts keep are filled.
     std::span<const plane_cut> cuts;
     /// Whether rows are filled in lanes, with the same bits, if the shader can.

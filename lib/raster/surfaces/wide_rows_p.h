@@ -15,10 +15,10 @@ namespace l3d_detail {
 /// The way in which a shader makes words from its interpolated numbers, which come after inv_w.
 struct row_light {
     enum class kind {
-        word, ///< no number: all pixels have the member `word`
-        held, ///< one number: the intensity, clamped to the range from darkest to brightest
+        word,   ///< no number: all pixels have the member `word`
+        held,   ///< one number: the intensity, clamped to the range from darkest to brightest
         normal, ///< four numbers: a normal of any length, and its product with the ray from the eye
-        code ///< three numbers: a normal as in normal_code; x and y go to the band's normals
+        code    ///< three numbers: a normal as in normal_code; x and y go to the band's normals
     };
 
     kind by = kind::word;
@@ -50,7 +50,7 @@ struct wide_runs {
 struct wide_polygon {
     static constexpr std::size_t most_numbers = 5;
 
-    plane_view planes;               ///< the plane of inv_w, then the planes of other numbers
+    plane_view planes; ///< the plane of inv_w, then the planes of other numbers
     /// The least and the largest inv_w of the polygon, to which inv_w is clamped.
     float farthest = 0, nearest = 0;
     row_light light;
