@@ -14,8 +14,8 @@ using namespace l3d_detail;
 constexpr int block = 4;
 
 /// The number of pixels by which prefetching is ahead. Each pixel of a steep line is in a row of
-/// its own, and so in a cache line of its own. Lines shorter than fewest_for_ahead lose more by it
-/// than they gain.
+/// its own, and so in a cache line of its own. Lines shorter than fewest_for_ahead lose more by
+/// prefetching than they gain.
 constexpr int pixels_ahead = 4;
 constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 
@@ -51,7 +51,7 @@ void light_singly(line_walk<x_major, Minors> walk, std::int64_t pixels, std::uin
         *walk.pixel() = color;
 }
 
-/// Lights pixels in blocks. The last block ends where the line does, so it may overlap the one
+/// Lights pixels in blocks. The last block ends where the line does, so it may overlap the block
 /// before it.
 ///
 /// Not inlined: the loop takes all registers, and compilers would mix it with the code before it.
@@ -76,9 +76,9 @@ template <bool x_major, bool prefetches>
     light_block();
 }
 
-/// Lights the visible steps of a line. It takes separate numbers, as a struct would be passed in
-/// memory. `at` is the word at the first step's major coordinate and at the minor coordinate of the
-/// line's begin.
+/// Lights the visible steps of a line. Its arguments are separate numbers, as a struct would be
+/// passed in memory. `at` is the word at the first step's major coordinate and at the minor
+/// coordinate of the line's begin.
 template <bool x_major>
 void light_steps(std::uint32_t* at, std::int64_t length, std::int64_t rise, std::int64_t first,
                  std::int64_t pixels, std::ptrdiff_t along, std::ptrdiff_t stride,

@@ -37,7 +37,7 @@ constexpr double most_change = 4096.0 / (small_side * l3d_subpixel_one);
 /// The largest difference of a bilinear colour from the linear one, anywhere in a triangle's box.
 constexpr double most_bend = 4096;
 
-/// Triangles that are set up, one in each element.
+/// Triangles after their set-up. Element i of each innermost array belongs to triangle i.
 struct set_up_triangles {
     using integers_of_all = std::array<std::int32_t, most_lanes>;
     using floats_of_all = std::array<float, most_lanes>;
@@ -62,7 +62,8 @@ struct set_up_triangles {
     }
 };
 
-/// The words of a triangle whose colours are bilinear: quadratic down each column.
+/// Makes the pixel words of a triangle with bilinear colours, which are quadratic functions down
+/// each column.
 template <class Lanes> class bilinear_colors {
 public:
     HWY_INLINE bilinear_colors(const set_up_triangles& of, std::size_t triangle)
@@ -105,8 +106,9 @@ public:
 private:
     using floats_of_all = set_up_triangles::floats_of_all;
 
-    /// From this number on, floats are whole numbers. So adding it to a level rounds the level to
-    /// the nearest, and leaves it in the lowest bits. All other bits are in the highest byte.
+    /// From this number on, floats are whole numbers. So adding this number to a level rounds the
+    /// level to the nearest, and leaves it in the lowest bits. All other bits are in the highest
+    /// byte.
     static constexpr float whole_floats = 0x1p23F;
 
     static constexpr auto floats = Lanes::floats;
@@ -132,7 +134,7 @@ HWY_ATTR HWY_INLINE condition both(condition a, condition b) {
     return hn::And(a, b);
 }
 
-/// A corner of each triangle. Units: 1/256 pixel, whole ones.
+/// A corner of the triangle in each lane. Units: 1/256 pixel, whole numbers.
 struct lane_corner {
     number x, y;
     std::array<number, 3> color;
@@ -157,7 +159,7 @@ HWY_ATTR HWY_INLINE lane_corner corners_of(const mesh_row& row, std::size_t i) {
             {from(row.color[0]), from(row.color[1]), from(row.color[2])}};
 }
 
-/// The range of three coordinates.
+/// The range of the three corners' coordinates along one axis.
 struct lane_range {
     number low, high;
 
@@ -188,12 +190,14 @@ HWY_ATTR HWY_INLINE void put_edge(const lane_corner& from, const lane_corner& to
     put(dx * same(l3d_subpixel_one), out.per_row[k]);
 }
 
-/// A function that is linear over triangles whose corners are relative to the first sample.
+/// A linear function over the triangle in each lane, whose corners are relative to the first
+/// sample.
 struct lane_plane {
     number start, across, down; ///< changes per lattice unit
 };
 
-/// The numbers that all planes of a triangle have in common.
+/// The numbers that all planes of a triangle have in common, for making lane_planes of its corners'
+/// values.
 struct lane_planes {
     number px, py, qx, qy, rx, ry, scale;
 

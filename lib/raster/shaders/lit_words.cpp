@@ -28,7 +28,7 @@ HWY_INLINE float_vec set(float value) {
     return hn::Set(floats(), value);
 }
 
-/// Three numbers of each pixel.
+/// A vector in space for each pixel.
 struct lane_vector {
     float_vec x, y, z;
 
@@ -210,13 +210,13 @@ private:
     float_vec distance_, against_;
 };
 
-/// The signed numbers in the upper halves of words, as floats.
+/// The signed 16-bit numbers in the upper halves of words, as floats.
 HWY_INLINE float_vec upper(word_vec word) {
     const hn::RebindToSigned<floats> whole;
     return hn::ConvertTo(floats(), hn::ShiftRight<16>(hn::BitCast(whole, word)));
 }
 
-/// Pixels side by side.
+/// Pixels of a row side by side, whose normals are to be lit.
 struct pixel_row {
     std::uint32_t* words;
     const float* depths;
@@ -226,8 +226,7 @@ struct pixel_row {
     lane_vector own_right;       ///< the change from a column to the next
 };
 
-/// The words of filled pixels, found for one material at a time. Most vectors have only one
-/// material.
+/// The words of lit pixels, found for one material at a time. Most vectors have only one material.
 template <std::size_t Channels>
 HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
                                  const word_vec* colors, word_vec there, float_mask filled) {

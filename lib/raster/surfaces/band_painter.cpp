@@ -23,8 +23,8 @@ void band_painter::reserve_as(const band_painter& other) {
     queue_.pieces.reserve(other.queue_.pieces.capacity());
 }
 
-/// Draws items. An item waits for some turns after its memory is prefetched. It is tested again
-/// before it is drawn, as others may hide it by then.
+/// An item waits for some turns after its memory is prefetched. The item is tested again before it
+/// is drawn, as other items may hide it by then.
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
     scalar_.begin(band, frame.shading, frame.materials, frame.words);

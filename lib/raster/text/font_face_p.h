@@ -10,7 +10,7 @@ class l3d_font::face {
 public:
     struct line_heights {
         int ascent = 0; ///< distance from the top of a line to the base line
-        int line = 0; ///< distance from the top of a line of text to the top of the next
+        int line = 0;   ///< distance from the top of a line of text to the top of the next
     };
 
     face() = default;

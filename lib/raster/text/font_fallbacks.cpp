@@ -17,7 +17,7 @@ struct fontconfig_closer {
 };
 template <class T> using unique = std::unique_ptr<T, fontconfig_closer>;
 
-/// The machine's best font with this letter: smooth, upright, and without colours of its own.
+/// The machine's best font with this letter: smooth, not slanted, and without colours of its own.
 unique<FcPattern> best_with(char32_t code) {
     const unique<FcPattern> wanted(FcPatternCreate());
     const unique<FcCharSet> letters(FcCharSetCreate());

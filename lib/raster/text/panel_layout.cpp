@@ -29,12 +29,12 @@ std::size_t fitting(const l3d_font& font, std::string_view text, int size, int w
 
 /// A place where a line may end, and the text that it shows there.
 struct line_end {
-    std::size_t end = 0; ///< 0 for none
+    std::size_t end = 0; ///< index behind the last byte of the line; 0 for none
     bool has_hyphen = false;
 };
 
-/// Finds the last place before another one where a line may end: a blank, or a soft hyphen if a
-/// hyphen still fits.
+/// Finds the last place before another one where a line may end: a blank, or a soft hyphen if the
+/// line still has room for a hyphen.
 line_end last_end(const l3d_font& font, std::string_view text, int size, int width,
                   std::size_t before) {
     const std::size_t space = text.rfind(' ', before);
@@ -154,7 +154,7 @@ int panel_layout::add_column(std::size_t first, std::size_t end, int x, int most
     return x + key_width + text_width;
 }
 
-/// Lays out all rows in columns that are at most that wide.
+/// Lays out all rows in columns that are at most `most_width` wide.
 void panel_layout::add_columns(std::size_t columns, int most_width) {
     lines_.clear();
     lowest_ = 0;
@@ -168,8 +168,8 @@ void panel_layout::add_columns(std::size_t columns, int most_width) {
     size_ = {right + padding(), lowest_ + padding()};
 }
 
-/// Lays out the rows, and returns whether they fit. Columns are as wide as their lines if that
-/// fits, else all get the same width.
+/// Lays out the rows, and returns whether they fit. Columns are as wide as their lines if such
+/// columns fit, else all columns get the same width.
 bool panel_layout::make(int size, int columns, l3d_size most) {
     letter_size_ = size;
     const int inside = most.width - 2 * padding() - 2 * (columns - 1) * gap();

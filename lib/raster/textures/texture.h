@@ -24,7 +24,7 @@ enum class L3D_PUBLIC l3d_texture_filter {
     /// Bilinear interpolation in two neighbouring copies of the picture, one of which may be the
     /// picture itself, and linear interpolation between both. The pixels of the larger copy are not
     /// wider than the part is long; those of the smaller copy are wider.
-    nearest, ///< the colour of the picture's pixel under the middle of the drawn pixel
+    nearest,  ///< the colour of the picture's pixel under the middle of the drawn pixel
     bilinear, ///< bilinear interpolation between the picture's four pixels around this middle
     trilinear,
     /// The mean of up to 16 trilinear colours along the part. Each takes copies whose pixels are as
@@ -42,8 +42,8 @@ inline constexpr std::array<std::pair<const char*, l3d_texture_filter>, 4> l3d_t
 /// The continuation of a picture beyond its borders.
 enum class L3D_PUBLIC l3d_texture_wrap {
     repeat, ///< the picture again, as it is
-    clamp, ///< the pixels at the picture's border
-    mirror ///< the picture mirrored, then as it is, and so on by turns
+    clamp,  ///< the pixels at the picture's border
+    mirror  ///< the picture mirrored, then as it is, and so on by turns
 };
 
 /// The part of a texture's picture that a pixel covers: a parallelogram around a place.
@@ -113,7 +113,7 @@ private:
 
 /// A triangle of a model, with the values that are interpolated between its corners.
 struct L3D_PUBLIC l3d_painted_triangle {
-    std::array<std::uint32_t, 3> corners{};               ///< indices of the model's vertices
+    std::array<std::uint32_t, 3> corners{}; ///< indices of the model's vertices
     std::uint32_t material = 0; ///< index of the triangle's material among the model's materials
     /// The corners' u and v, as in l3d_texture_place.
     std::array<std::array<float, 2>, 3> picture_places{};

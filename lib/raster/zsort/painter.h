@@ -34,8 +34,7 @@ struct l3d_painter_cut {
 
     std::uint32_t splitter = 0; ///< index of the triangle that has the other plane
     /// Whether the part in front of the plane is kept; places of equal depth are in front.
-    bool in_front =
-        false;
+    bool in_front = false;
     /// Index of the next cut of the same piece; `last` if this is the last.
     std::uint32_t next = last;
 };
@@ -95,7 +94,7 @@ private:
     std::vector<l3d_detail::cut_triangle> cut_;
     /// The cuts of all triangles of which cuts keep a part.
     std::vector<l3d_detail::plane_cut> plane_cuts_;
-    l3d_depth_buffer places_;                       ///< rank of the topmost piece in each pixel
+    l3d_depth_buffer places_;      ///< rank of the topmost piece in each pixel
     l3d_depth_buffer line_depths_; ///< depths of lines, which tell their fog
 };
 
