@@ -35,10 +35,10 @@ struct band_item {
 /// The items of a frame, sorted front to back, and the bands that they touch.
 ///
 /// Items are sorted by their nearest vertices, rounded to one part in 2^8, then by their places in
-/// the list of parts. A part's triangles take their grid's place in this order if pixels show what
-/// is at their centres: such frames may leave out triangles that contain no centre, and the
-/// triangles' own order would depend on which ones. So the order depends neither on the bands nor
-/// on the number of workers.
+/// the list of parts. If pixels show what is at their centres, a part's triangles take their grid's
+/// place in this order. Such frames may leave out triangles that contain no centre. So an order of
+/// the triangles' own would depend on which ones are left out. So the order depends neither on the
+/// bands nor on the number of workers.
 /// Lives: borrows the parts. Keeps its memory from frame to frame.
 class band_list {
 public:

@@ -47,8 +47,8 @@ using corner_arrays = std::array<vertex_arrays, 4>;
 /// The index of the first polygon's corner, in each of the four corners' arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// The numbers of the corners' light that the queue takes, in arrays. Of each array, as many
-/// elements may be read as of the corners' arrays.
+/// The numbers of the corners' light that the queue takes, in arrays. As many elements of each
+/// array may be read as of the corners' arrays.
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;
