@@ -31,7 +31,7 @@ struct L3D_PUBLIC l3d_point_2d {
 struct L3D_PUBLIC l3d_colored_point_2d {
     /// The corner's place, in pixels. (0, 0) is the centre of the top left pixel.
     double x = 0, y = 0;
-    l3d_color color = 0; ///< pixel word, 0x00RRGGBB
+    l3d_color color = 0; ///< the corner's colour, a pixel word 0x00RRGGBB
 };
 
 /// A line between two pixels.
@@ -49,7 +49,7 @@ struct L3D_PUBLIC l3d_coverage_2d {
     /// The rectangle's first column and row, and its numbers of columns and rows, which are not
     /// negative.
     int left = 0, top = 0, width = 0, height = 0;
-    const std::uint8_t* values = nullptr; ///< values of the first row
+    const std::uint8_t* values = nullptr; ///< the values of the first row
     std::ptrdiff_t pitch = 0; ///< distance from one row of values to the next, in values
 
     /// Row i of the shape. Expects: 0 <= i < height.
@@ -65,8 +65,8 @@ using l3d_outline_2d = std::span<const l3d_point_2d>;
 /// depends on a point's winding number: how often the outlines wind around it, clockwise less
 /// anticlockwise.
 enum class L3D_PUBLIC l3d_winding {
-    nonzero, ///< inside if the winding number is not zero
-    even_odd ///< inside if the winding number is odd
+    nonzero, ///< a point is inside if its winding number is not zero
+    even_odd ///< a point is inside if its winding number is odd
 };
 
 /// The kind of numbers in which two colours are mixed.

@@ -52,7 +52,7 @@ struct L3D_PUBLIC l3d_micro_grid {
     int columns = 0, rows = 0, pitch = 0;
     /// The places of all vertices in the picture. Units: 1/256 pixel.
     std::vector<std::int32_t> x, y;
-    std::vector<float> inv_w;     ///< 1 / distance, of all vertices
+    std::vector<float> inv_w;     ///< 1 / distance along the view axis, of all vertices
     std::vector<float> normal[3]; ///< the normals' components, of all vertices
 
     /// Whether the picture shows both sides of the surface. Normals, or levels and bends, belong to
@@ -112,7 +112,7 @@ struct L3D_PUBLIC l3d_micro_grid {
 ///        mostly in one page of memory, which suits walks from block to block in any order.
 /// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
 struct L3D_PUBLIC l3d_micro_triangles {
-    static constexpr std::size_t lanes = 16; ///< triangles in a block
+    static constexpr std::size_t lanes = 16; ///< the number of triangles in a block
 
     /// One corner of all triangles of a block; the components are those of l3d_micro_vertex.
     struct alignas(64) corner {

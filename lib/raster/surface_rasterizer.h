@@ -22,7 +22,7 @@
 
 /// The way in which the surfaces of a frame get their colours.
 struct L3D_PUBLIC l3d_shading {
-    l3d_shade mode = l3d_shade::lambert; ///< how the colour of a pixel is found
+    l3d_shade mode = l3d_shade::lambert; ///< the way in which pixels get their colours
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
 
     /// The ray from the eye through the picture's top left corner, and its change for one pixel to
@@ -81,8 +81,9 @@ struct L3D_PUBLIC l3d_shading {
     /// `inspected`, and vertices with the parameters u and v in the first two numbers of normals. A
     /// part's material is the index of its patch.
     l3d_inspection inspection{};
-    const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
-    /// Function of l3d_shade::own; borrowed until the frame's finish.
+    /// The exact patches, for shades that need them; borrowed until the frame's finish.
+    const l3d_inspected_patches* inspected = nullptr;
+    /// The program's function, for l3d_shade::own; borrowed until the frame's finish.
     const l3d_own_shade* own = nullptr;
 
     /// Triangles that have colours of their own; borrowed until the frame's finish. Parts refer to
@@ -119,16 +120,18 @@ inline constexpr double l3d_most_normal_error = 1.0 / 256;
 
 /// Counts of the work of one frame.
 struct L3D_PUBLIC l3d_surface_counts {
-    std::int64_t quads = 0; ///< micro-quads and triangles handed in
+    std::int64_t quads = 0; ///< micro-quads and triangles that were handed to draw()
     /// Pixel centres tested against the depth buffer. Blocks that are found hidden as a whole are
     /// not tested. So the number depends on how the work was divided, but not on the number of
     /// threads.
     std::int64_t samples = 0;
     /// Tested pixels whose surface was nearer than the depth in the buffer.
     std::int64_t written = 0;
-    std::int64_t covered = 0; ///< pixels that show something; none_counted if nobody asked
+    /// Pixels that show a surface; none_counted if count_pixels(false) was called.
+    std::int64_t covered = 0;
 
-    static constexpr std::int64_t none_counted = -1; ///< the value of `covered` if nobody asked
+    /// The value of `covered` if pixels were not counted.
+    static constexpr std::int64_t none_counted = -1;
 
     /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
     /// as often as it was set up.

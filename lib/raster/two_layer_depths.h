@@ -18,7 +18,8 @@
 /// Lives: borrows the list.
 struct l3d_sheet_patch {
     std::uint32_t instance = 0, patch = 0;
-    std::span<const std::uint32_t> touching; ///< patches that share a corner with it, in order
+    /// Indices of the patches that share a corner with this patch, in rising order.
+    std::span<const std::uint32_t> touching;
 
     bool is(const l3d_sheet_patch& other) const {
         return instance == other.instance && patch == other.patch;
@@ -59,7 +60,9 @@ private:
 
     /// A sheet of surface at the centre of a pixel.
     struct fragment {
-        float inv_w = 0, along_x = 0, along_y = 0; ///< inv_w, and its change to the next pixels
+        /// The sheet's inv_w in this pixel, and its change to the next pixel to the right and
+        /// below.
+        float inv_w = 0, along_x = 0, along_y = 0;
         /// The polygon's patch and kind, as one number: `kinds` times the patch's index in
         /// patches_, plus the kind.
         std::uint32_t owner = 0;

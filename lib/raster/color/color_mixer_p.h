@@ -16,7 +16,7 @@ namespace l3d_detail {
 struct mixed_color {
     /// Red, green and blue in the numbers of color_mixer::value, each times `opacity`.
     std::array<double, 3> values{};
-    double opacity = 0; ///< the covered share, from 0 to 1
+    double opacity = 0; ///< the share of the place that the colour covers, from 0 to 1
 };
 
 /// Mixes colours in levels or in amounts of light, and rounds the result once, to the nearest

@@ -56,7 +56,8 @@ private:
     std::int32_t moved_x_ = 0, moved_y_ = 0;
     // for area_mean: the columns and rows of the image that a pixel reaches
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
-    std::vector<double> areas_; ///< row by row: differences of covered areas, from column to column
+    /// For each row of the image, differences of the covered area from column to column.
+    std::vector<double> areas_;
 };
 
 } // namespace l3d_detail

@@ -21,8 +21,10 @@ namespace l3d_detail {
 struct line_steps {
     bool x_major;
     std::int64_t major, minor;
-    std::int64_t length, rise;         ///< 0 <= |rise| <= length < 2^32
-    std::int64_t first = 0, last = -1; ///< steps first <= i <= last are in the target
+    /// The line's extent along its major axis, and its signed extent along the other axis; |rise|
+    /// <= length < 2^32.
+    std::int64_t length, rise;
+    std::int64_t first = 0, last = -1; ///< steps first <= i <= last are in the picture
 
     /// The minor coordinates of the pixels, from step `first` on.
     exact_steps minors() const {

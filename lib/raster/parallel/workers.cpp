@@ -175,7 +175,8 @@ private:
 
     std::mutex mutex; ///< guards all members that follow
     std::condition_variable begun, ended;
-    const std::function<void(int)>* present = nullptr; ///< work that other threads may join
+    /// The work that other threads may join; null if there is none.
+    const std::function<void(int)>* present = nullptr;
     /// The number of calls of run(), so that no thread joins a call twice.
     std::uint64_t rounds = 0;
     std::atomic<int> busy{0}; ///< the number of other threads at work; written under the lock

@@ -111,7 +111,7 @@ struct band_cells::walk {
     const std::ptrdiff_t stride, words;
     const std::int32_t left, top;
     const double band_top, band_bottom;
-    edge_record* records = nullptr; ///< all records, and room for more
+    edge_record* records = nullptr; ///< the records of all edges, and room for more
     std::uint32_t used;             ///< the number of records
 
     cell* here = nullptr;    ///< the pixel that the outline has reached

@@ -100,11 +100,11 @@ struct side_pair {
 
 /// Memory for spans and their values.
 struct pair_spans {
-    static constexpr std::size_t most_values = 64; ///< limit of values in a row
+    static constexpr std::size_t most_values = 64; ///< the limit of values in a row of a span
 
     covered_span* spans;       ///< room for one span in each row
     std::uint8_t* values;      ///< room for most_values in each row
-    std::size_t values_before; ///< the index that the first value gets
+    std::size_t values_before; ///< the index that spans give to the first element of `values`
     std::size_t span_count = 0, value_count = 0;
 };
 

@@ -23,7 +23,7 @@ struct covered_run {
 /// `beyond` on, have a value each; the columns in the middle share one.
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
-    std::int32_t value; ///< value of the columns in the middle
+    std::int32_t value; ///< the value of each column in the middle
     /// Index of the first value: those before `between`, then those from `beyond`.
     std::size_t values;
 

@@ -120,7 +120,8 @@ public:
     }
 
 private:
-    static constexpr std::int64_t whole = 1 << 20; ///< the number of shortest steps in a curve
+    /// The number of steps in a curve if all are as short as possible.
+    static constexpr std::int64_t whole = 1 << 20;
 
     double change() const {
         const auto most = [](const l3d_forward_difference<double, 3>& d) {

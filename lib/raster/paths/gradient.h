@@ -22,8 +22,8 @@ struct L3D_PUBLIC l3d_color_stop {
 
 /// The continuation of a gradient before its beginning and behind its end.
 enum class L3D_PUBLIC l3d_spread {
-    pad,    ///< the first and the last stop's colour
-    repeat, ///< the gradient again, from 0 to 1
+    pad,    ///< beyond both ends, the colour of the nearest stop
+    repeat, ///< the gradient again and again, from 0 to 1
     reflect ///< the gradient backwards and forwards by turns
 };
 
@@ -75,7 +75,7 @@ private:
 
     /// The colours between two neighbouring stops: linear from one end to the other.
     struct piece {
-        double from, to; ///< places along the gradient; infinite at the ends of a padded one
+        double from, to; ///< places along the gradient; infinite at the ends of a padded gradient
         numbers begin, end;
 
         numbers at(double place) const;
@@ -84,7 +84,7 @@ private:
     /// The change of the place in the gradient over a square of the picture.
     struct slope {
         double place;
-        double right, down; ///< change over the square's width, and over its height
+        double right, down; ///< change of the place over the square's width, and over its height
     };
 
     l3d_gradient(std::span<const l3d_color_stop> stops, l3d_spread spread);
@@ -101,10 +101,11 @@ private:
 
     bool radial_ = false;
     bool is_opaque_ = true;
-    double steepest_ = 0;        ///< steepest change, in levels per unit of the gradient's place
+    /// The steepest change of a channel, in levels per unit of the gradient's place.
+    double steepest_ = 0;
     l3d_placement_2d to_unit_{}; ///< maps a linear gradient to x from 0 to 1, a circle to radius 1
     double narrowest_ = 1, widest_ = 1; ///< the least and the largest scale of to_unit_
-    l3d_point_2d focus_{};              ///< focus, in to_unit_'s coordinates
+    l3d_point_2d focus_{};              ///< the focus, mapped by to_unit_
     double period_ = 0;                 ///< length after which the gradient repeats; 0 if padded
     std::vector<piece> pieces_;         ///< the pieces of one period, without gaps
 };

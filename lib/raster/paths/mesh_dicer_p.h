@@ -44,7 +44,7 @@ struct mesh_curve {
 /// A cell of a patch, between two steps along u and two along v.
 struct mesh_cell {
     std::array<mesh_corner, 4> corners; ///< corners at the cell's (0, 0), (1, 0), (0, 1), (1, 1)
-    bool rises;                         ///< whether its diagonal goes from (0, 1) to (1, 0)
+    bool rises;                         ///< whether the cell's diagonal goes from (0, 1) to (1, 0)
 
     /// The corners of the cell's two triangles, the one above the diagonal first. The first and the
     /// last corner of each are on the diagonal.

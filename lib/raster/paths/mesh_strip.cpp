@@ -43,8 +43,10 @@ struct set_up_triangles {
     using floats_of_all = std::array<float, most_lanes>;
 
     alignas(64) integers_of_all state, left, top, columns, rows;
-    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< edge functions
-    alignas(64) std::array<floats_of_all, 3> start, across, down;          ///< linear colours
+    /// The edge functions of a triangle's three sides, as in small_edge.
+    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row;
+    /// The linear functions that give red, green and blue.
+    alignas(64) std::array<floats_of_all, 3> start, across, down;
     /// The twist of a bilinear colour. At each place, it adds `twist` times the shares of the two
     /// corners on the diagonal to the linear colour.
     alignas(64) std::array<floats_of_all, 3> twist;
@@ -193,7 +195,7 @@ HWY_ATTR HWY_INLINE void put_edge(const lane_corner& from, const lane_corner& to
 /// A linear function over the triangle in each lane, whose corners are relative to the first
 /// sample.
 struct lane_plane {
-    number start, across, down; ///< changes per lattice unit
+    number start, across, down; ///< the value at the first sample, and the changes per lattice unit
 };
 
 /// The numbers that all planes of a triangle have in common, for making lane_planes of its corners'

@@ -41,10 +41,10 @@ class L3D_PUBLIC l3d_path {
 public:
     /// The kind of a piece. Each kind's comment tells how many points a piece adds.
     enum class kind : std::uint8_t {
-        move,  ///< 1 point: an outline begins
+        move,  ///< 1 point: the beginning of an outline
         line,  ///< 1 point: the line's end
         curve, ///< 3 points with weights: two control points and the curve's end
-        close  ///< 0 points: back to the outline's beginning
+        close  ///< 0 points: a line back to the outline's beginning
     };
 
     /// Begins a new outline at a point.
@@ -119,9 +119,9 @@ private:
 
     std::vector<kind> kinds_;
     std::vector<l3d_point_2d> points_;
-    std::vector<double> weights_; ///< three for each curve
+    std::vector<double> weights_; ///< the weights of curves, three for each curve
     l3d_point_2d first_{}, last_{};
-    bool open_ = false; ///< whether an outline is open
+    bool open_ = false; ///< whether an outline was begun and not closed
 };
 
 template <class Visitor> void l3d_path::visit(Visitor& visitor) const {
@@ -197,30 +197,31 @@ inline std::vector<l3d_point_2d> l3d_sampled_quadratic(l3d_point_2d from, l3d_po
 
 /// The shape of the ends of open outlines and dashes.
 enum class L3D_PUBLIC l3d_cap {
-    butt,  ///< cut off at the end of the outline
-    round, ///< half a disc beyond the end
-    square ///< half a square beyond the end
+    butt,  ///< the stroke is cut off at the outline's end
+    round, ///< the stroke goes on by half a disc beyond the end
+    square ///< the stroke goes on by half a square beyond the end
 };
 
 /// The shape of a corner where two pieces of an outline meet.
 enum class L3D_PUBLIC l3d_join {
-    miter, ///< both sides extended until they meet; bevel beyond the miter limit
-    round, ///< a disc around the corner
-    bevel  ///< straight from the end of one side to the beginning of the next
+    miter, ///< both outer sides are extended until they meet; beyond the miter limit, as bevel
+    round, ///< the corner is covered by a disc around it
+    bevel  ///< a straight line joins the ends of both outer sides
 };
 
 /// The pen that strokes a path.
 struct L3D_PUBLIC l3d_stroke {
-    double width = 1;                ///< in pixels; more than 2^30 counts as 2^30
-    l3d_cap cap = l3d_cap::butt;     ///< shape of ends
-    l3d_join join = l3d_join::miter; ///< shape of corners
+    double width = 1;                ///< the pen's width in pixels; more than 2^30 counts as 2^30
+    l3d_cap cap = l3d_cap::butt;     ///< the shape of the ends of outlines and dashes
+    l3d_join join = l3d_join::miter; ///< the shape of corners
     /// The longest miter, from the inner to the outer corner, in multiples of the pen's width.
     double miter_limit = 4;
     /// Lengths of a dash, a gap, a dash and so on, repeated; empty: no gaps. With an odd number of
     /// lengths, dashes and gaps change places in each repetition.
     /// Units: pixels along the path.
     std::vector<double> dashes{};
-    double dash_begin = 0; ///< distance into the dashes at which an outline begins, in pixels
+    /// The distance into the pattern of dashes at which an outline begins, in pixels.
+    double dash_begin = 0;
 };
 
 /// The outline of the area that a pen covers along a path. Fill it with l3d_winding::nonzero.

@@ -35,7 +35,7 @@ struct corner_run {
 struct row_piece {
     double left, right; ///< the piece lies between these x
     l3d_point_2d enters, leaves;
-    corner_run corners; ///< corners between its ends
+    corner_run corners; ///< the corners between the piece's ends
     /// 1 if the outline leads up, adding 1 to the winding on the right; else -1.
     std::int8_t direction;
 
@@ -124,10 +124,12 @@ public:
 
     /// An outline that reaches the picture.
     struct outline {
-        l3d_pixel_box box;               ///< the box of all pixels that it reaches
-        std::size_t first_block, blocks; ///< index of its first block, and the number of its blocks
-        std::size_t chains; ///< the first of its two chains; `none` if it is not cut into two
-        std::uint8_t layer; ///< 0: of the filled path; 1: of its clip path
+        l3d_pixel_box box; ///< the box of all pixels that the outline reaches
+        /// Index of the outline's first block, and the number of its blocks.
+        std::size_t first_block, blocks;
+        /// Index of the first of its two chains; `none` if the outline is not cut into two.
+        std::size_t chains;
+        std::uint8_t layer; ///< 0: an outline of the filled path; 1: of its clip path
         bool apart;         ///< whether its box meets no other outline's box; find_apart sets it
 
         static constexpr std::size_t none = ~std::size_t{0};

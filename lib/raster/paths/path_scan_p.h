@@ -52,7 +52,8 @@ public:
     const std::uint8_t* values() const { return writer_.values().data(); }
 
 private:
-    static constexpr std::size_t most_lanes = 16; ///< lanes of span_kernels' vectors
+    /// The largest number of lanes in span_kernels' vectors.
+    static constexpr std::size_t most_lanes = 16;
 
     void take_outlines(const l3d_path& path, std::uint8_t layer);
     void add_pairs();

@@ -13,7 +13,7 @@ namespace l3d_detail {
 /// An end of a chord of a path that is stroked.
 struct pen_point {
     l3d_point_2d at;
-    bool smooth = false; ///< whether two chords of one curve meet here
+    bool smooth = false; ///< whether two chords of one curve meet in this point
     /// The unit directions of the curve that ends here, and of the curve that begins here. (0, 0)
     /// means the chord's direction.
     l3d_point_2d arrives{}, leaves{};
@@ -40,7 +40,7 @@ private:
         double length;
         /// Directions of the path at both ends; the pen is square to them.
         l3d_point_2d begins, ends;
-        bool smooth; ///< whether its beginning lies within a curve
+        bool smooth; ///< whether the chord's beginning lies within a curve
     };
 
     /// The place where two chords meet.
@@ -84,10 +84,10 @@ private:
     const l3d_stroke& pen_;
     l3d_path& result_;
     double radius_, most_angle_;
-    double least_cosine_; ///< cosine of most_angle_
+    double least_cosine_; ///< the cosine of most_angle_
     double most_turn_;    ///< the largest turn between points of an arc
     std::vector<chord> chords_;
-    side left_, right_; ///< the sides of the present outline
+    side left_, right_; ///< both sides of the pen along the present outline
     std::vector<l3d_point_2d> turns_;
     /// Points of the arc of round caps; empty before the first cap.
     std::vector<l3d_point_2d> half_turn_;

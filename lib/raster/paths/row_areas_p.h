@@ -118,7 +118,7 @@ public:
 
 private:
     struct chord {
-        double x0, x1; ///< x at the top and at the bottom of the slab
+        double x0, x1; ///< the chord's x at the top and at the bottom of the slab
         const row_edge* edge;
 
         bool operator<(const chord& other) const {

@@ -97,14 +97,15 @@ private:
 
     std::span<const std::uint32_t> colors_;
     bool by_material_ = false;
-    l3d_pixel_box inside_; ///< the item's box within the band
+    l3d_pixel_box inside_; ///< the box of the present item, within the band
     marked_pixels pixels_;
     quad_boxes boxes_;
     std::vector<fragment_polygon> polygons_; ///< polygons that were added, and room for more
     std::size_t polygon_count_ = 0;          ///< number of polygons that were added
     std::vector<fragment> fragments_;        ///< fragments of all pixels, and room for more
-    std::vector<fragment> kept_;             ///< fragments left after hidden ones are removed
-    std::size_t count_ = 0;                  ///< number of fragments in use
+    /// Memory for the fragments that are left when hidden ones are removed.
+    std::vector<fragment> kept_;
+    std::size_t count_ = 0;          ///< number of fragments in use
     std::size_t most_fragments_ = 0; ///< number of fragments at which hidden ones are removed
     /// For each polygon, its new index after hidden fragments are removed.
     std::vector<std::uint32_t> names_;

@@ -16,8 +16,8 @@ namespace l3d_detail {
 /// An edge of a contour, at which pixels are drawn with anti-aliasing. It leads from one vertex to
 /// another. In the picture, the surface lies on its right. Farther things are seen on its left.
 struct contour_edge {
-    scan_point from, to; ///< units: 1/256 pixel
-    float nearest = 0;   ///< the larger inv_w of both vertices
+    scan_point from, to; ///< both ends of the edge; units: 1/256 pixel
+    float nearest = 0;   ///< the larger inv_w of both ends
 };
 
 /// Finds the edges of grids at which a surface folds over. They lie between a polygon that turns to

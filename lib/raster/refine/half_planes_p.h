@@ -23,8 +23,8 @@ namespace l3d_detail {
 /// error.
 class half_planes {
 public:
-    static constexpr std::size_t turns = 128; ///< steps of dx, from dx = -1 to dx = 1
-    static constexpr std::size_t steps = 126; ///< steps of e, from -1/2 to 1/2
+    static constexpr std::size_t turns = 128; ///< the number of steps of dx, from dx = -1 to dx = 1
+    static constexpr std::size_t steps = 126; ///< the number of steps of e, from -1/2 to 1/2
     static constexpr std::size_t in_row = steps + 2;
     /// The index of e = 0 in a row of the table.
     static constexpr float middle = (steps + 1) / 2.0f;

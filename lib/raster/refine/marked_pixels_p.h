@@ -39,7 +39,7 @@ public:
     static constexpr std::int32_t side = 8;
     struct tile {
         std::uint64_t bits = 0;
-        std::uint64_t open = 0;  ///< the marked pixels that still take fragments
+        std::uint64_t open = 0;  ///< the mask of the marked pixels that still take fragments
         std::uint32_t first = 0; ///< the index of the tile's first marked pixel in pixels()
     };
 
@@ -107,7 +107,7 @@ public:
         std::uint32_t last_, next_;
         std::int32_t top_;
         const tile* row_;
-        std::uint64_t rows_; ///< the pixels of a tile that are in the box's rows
+        std::uint64_t rows_; ///< the mask of the tile's pixels that are in the box's rows
         std::uint64_t bits_ = 0;
     };
 
@@ -130,7 +130,7 @@ private:
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;
-    std::size_t columns_ = 0; ///< the number of tiles in a row
+    std::size_t columns_ = 0; ///< the number of tiles in a row of the band
     std::int32_t first_row_ = 0;
     std::vector<tile> tiles_;
     std::vector<marked_pixel> pixels_;

@@ -20,7 +20,7 @@ namespace l3d_detail {
 /// The data of a frame that refining needs: all of its items, and the picture drawn from them.
 struct drawn_frame {
     const l3d_pixels& target;
-    l3d_depth_buffer& depth; ///< depth of the whole picture
+    l3d_depth_buffer& depth; ///< the depths of the whole picture
     const l3d_shading& shading;
     std::span<const l3d_material> materials;
     /// The materials' colours, if pixel words are levels of materials.
@@ -60,7 +60,7 @@ private:
     void draw_marked(const drawn_frame& frame, int band, worker_space& space);
     void draw_slice(const drawn_frame& frame, int band, worker_space& space);
 
-    l3d_pixel_bits marks_; ///< marks the pixels that are sampled
+    l3d_pixel_bits marks_; ///< marks the pixels that are drawn again
     std::vector<worker_space> each_worker_;
 };
 

@@ -72,7 +72,8 @@ private:
     paint_batch batch_;
     named_pixels one_{};
     std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
-    const l3d_painted_triangle* triangle_ = nullptr; ///< null if the whole polygon has flat_color_
+    /// The painted triangle that is set up; null if the whole polygon has flat_color_.
+    const l3d_painted_triangle* triangle_ = nullptr;
     const l3d_texture* texture_ = nullptr;
     std::array<plane, 3> sides_{}; ///< a function for each corner, which is 0 on the opposite side
     plane u_{0.0}, v_{0.0}, all_{0.0}; ///< u and v, each times all_; all_ is the sum of sides_

@@ -96,7 +96,7 @@ struct inspection_shader::sight {
     /// The change of `ray` to the next pixel on the right, and to the next below.
     std::array<vector, 2> ray_change;
     l3d_patch_bend bend; ///< normal and curvature of the patch; the normal is turned to the eye
-    std::array<vector, 2> turn; ///< the change of the normal for the same two steps
+    std::array<vector, 2> turn; ///< the change of the normal over the same two steps
 };
 
 /// The view of a point of the patch. The result is empty where the surface has no normal.

@@ -206,7 +206,8 @@ private:
 
     const l3d_shading& shading_;
     lane_vector look_, normal_;
-    lane_vector place_; ///< places of pixels, relative to the eye; set if there are point lights
+    /// The places that pixels show, relative to the eye; set if there are point lights.
+    lane_vector place_;
     float_vec distance_, against_;
 };
 
@@ -221,9 +222,11 @@ struct pixel_row {
     std::uint32_t* words;
     const float* depths;
     const std::uint32_t* normals;
-    const std::uint32_t* colors; ///< null if materials tell the colours; see lit_pixels
-    lane_vector own;             ///< `look`, or `aside` with parallel rays, where x is 0
-    lane_vector own_right;       ///< the change from a column to the next
+    /// The pixels' colours; null if materials tell them (lit_pixels::colors).
+    const std::uint32_t* colors;
+    /// The shading's `look`, or `aside` with parallel rays, in column 0 of the row.
+    lane_vector own;
+    lane_vector own_right; ///< the change of `own` from a column to the next
 };
 
 /// The words of lit pixels, found for one material at a time. Most vectors have only one material.

@@ -20,8 +20,9 @@ struct lit_pixels {
     std::ptrdiff_t word_pitch;
     const float* depths;
     const std::uint32_t* normals;
-    std::ptrdiff_t depth_pitch; ///< the pitch of depths and of normals
-    std::int32_t left, top;     ///< column and row of the rectangle's first pixel in the picture
+    /// The distance between rows of depths, and between rows of normals.
+    std::ptrdiff_t depth_pitch;
+    std::int32_t left, top; ///< column and row of the rectangle's first pixel in the picture
     std::int32_t width, height;
     /// The colours of the pixels of a rectangle with a single row, if materials do not tell them;
     /// else null.

@@ -91,7 +91,7 @@ private:
     }
 
     const std::uint32_t* colors_;
-    word_vec material_; ///< the last vector's material, and its colour
+    word_vec material_; ///< the material in the words of the last vector
     color_halves color_;
 };
 #endif

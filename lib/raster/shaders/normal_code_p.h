@@ -22,8 +22,9 @@ struct normal_code {
     /// bits of the sum are those of the nearest integer.
     static constexpr float whole_numbers = 12582912;
 
-    std::uint32_t xy = 0; ///< x in the lower half, y in the upper
-    std::uint32_t z = 0;  ///< z in the upper half; the lower half is free for other data
+    std::uint32_t xy = 0; ///< the normal's x in the lower half, its y in the upper half
+    /// The normal's z in the upper half; the lower half is free for other data.
+    std::uint32_t z = 0;
 
     /// Encodes a normal. Expects: components below 2 in size.
     static normal_code of(const float* normal) {

@@ -36,7 +36,8 @@ public:
     l3d_color final_color; ///< the polygon's colour, a pixel word
 
 private:
-    std::vector<l3d_point_2d> corners_; ///< kept between calls, so that no frame allocates
+    /// Memory for draw(), kept between calls so that no frame allocates.
+    std::vector<l3d_point_2d> corners_;
 };
 
 #endif

@@ -48,9 +48,11 @@ private:
 
     struct vertex {
         float x, y;
-        std::array<std::uint8_t, 4> color; ///< red, green, blue; highest byte or coverage
+        /// The vertex's red, green and blue, and the word's highest byte or the coverage.
+        std::array<std::uint8_t, 4> color;
     };
-    /// The state of the picture in GL, compared with the target: absent, black, or newer.
+    /// The state of the picture in GL, compared with the target's: GL has no picture, a black one,
+    /// or a newer one.
     enum class held { not_at_all, as_black, newer_than_target };
     /// The meaning of the highest byte of colours in the batch: the word's own byte, or coverage.
     enum class blending { off, by_coverage };

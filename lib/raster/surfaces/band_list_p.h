@@ -23,9 +23,10 @@ struct band_item {
     const l3d_surface_part* part = nullptr;
     l3d_pixel_box box{}; ///< the pixels of the window that the item may cover
     float nearest = 0;   ///< upper bound of inv_w in the item's pixels
-    float order = 0;     ///< items with larger numbers are drawn first
+    float order = 0;     ///< the key of sorting: items with larger numbers are drawn first
     grid_cells cells{};
-    std::uint32_t triangle_begin = 0, triangle_end = 0; ///< range of the part's triangles
+    /// The range of the part's triangles that belong to the item.
+    std::uint32_t triangle_begin = 0, triangle_end = 0;
     /// Index of the first of its cells' pixel rows, in the list of all items' rows.
     std::uint32_t rows_at = 0;
     /// Index of the first of its part's vertices, in the list of grey levels.

@@ -23,7 +23,7 @@ struct depth_tile {
 /// Shape: rows of `columns` numbers, and rows of `words` with a bit for each tile.
 struct tile_table {
     std::size_t columns = 0, words = 0;
-    std::vector<float> farthest; ///< lower bound of inv_w in each tile's pixels
+    std::vector<float> farthest; ///< for each tile, a lower bound of inv_w in its pixels
     /// For each tile, whether anything was drawn into it; if not, its depths are undefined.
     std::vector<std::uint64_t> drawn;
     /// For each tile, whether anything was drawn into it since `farthest` was found.

@@ -80,7 +80,7 @@ public:
         const void* source;
         std::int32_t name, step;
         bool shows_both;        ///< see l3d_micro_grid::shows_both
-        std::uint32_t material; ///< the polygons' common material, unless each has its own
+        std::uint32_t material; ///< the material of all polygons, unless each has its own
         const std::uint32_t* materials = nullptr; ///< see l3d_micro_triangles::materials
         bool names_quads = false;                 ///< see l3d_surface_part::names_quads
     };

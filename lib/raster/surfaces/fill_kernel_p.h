@@ -87,7 +87,7 @@ private:
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
-        std::size_t index;      ///< l3d_micro_grid::index of the first corner
+        std::size_t index;      ///< l3d_micro_grid::index of the quad's first corner
         std::uint32_t material; ///< as fill_words::of_material gives it
     };
     struct triangle {
@@ -161,7 +161,8 @@ struct fill_queue {
 
     /// The grid or the triangles that have the polygon.
     alignas(64) std::array<const void*, room> source;
-    alignas(64) std::int32_t seen[room]; ///< 0: hidden; set when the polygon is to be filled
+    /// 0 if the polygon is hidden; set when it is about to be filled.
+    alignas(64) std::int32_t seen[room];
     /// The material, as fill_words::of_material gives it; set only in frames with materials.
     alignas(64) std::uint32_t material[room];
     std::size_t count = 0;

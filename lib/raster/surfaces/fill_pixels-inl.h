@@ -254,7 +254,8 @@ private:
         return make_.of_cosines(lit);
     }
 
-    std::uint32_t* words_; ///< copied from the band: stores might change its members
+    /// Copied from the band, as compilers must assume that stores change the band's members.
+    std::uint32_t* words_;
     float* depths_;
     std::uint32_t* normals_;
     run_place pitch_;

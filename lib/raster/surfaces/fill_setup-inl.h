@@ -175,7 +175,7 @@ struct mean_parabola {
 /// to d. Their cross product, area2, is twice the area, also for a triangle, whose d is c.
 struct lane_frame {
     float_vec mean_s, mean_t; ///< s and t of the corners' mean, divided by area2
-    float_vec inverse;        ///< 1 / area2
+    float_vec inverse;        ///< 1 / area2, where area2 is twice the polygon's area
 
     HWY_INLINE lane_plane plane(const float_vec (&v)[4]) const {
         const float_vec d1 = hn::Sub(v[2], v[0]), d2 = hn::Sub(v[3], v[1]);

@@ -54,7 +54,8 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 /// Interpolated numbers are those of the pixel at `begin`; names with `_x` are changes from column
 /// to column.
 struct fill_row {
-    lane_array<std::int32_t> from, pixels; ///< first covered column, and number of covered pixels
+    /// The row's first covered column, and its number of covered pixels.
+    lane_array<std::int32_t> from, pixels;
     /// The column at which the first run begins. It is `from`, but at the picture's right edge, or
     /// without pixels, a column where a run fits.
     lane_array<std::int32_t> begin;
@@ -90,7 +91,7 @@ struct fill_table {
     lane_array<float> lit_xx; ///< the factor of the column's square, if `lit` is a parabola
     /// The changes of a normal's y and z from column to column.
     lane_array<float> normal_y_x, normal_z_x;
-    lane_array<std::int32_t> twisted; ///< 0: the polygon is flat
+    lane_array<std::int32_t> twisted; ///< in a table of twisted polygons, 0 for a flat one
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];
     /// The slope of `lit` at `begin`, if it is a parabola.

@@ -36,9 +36,9 @@ private:
     const l3d_surface_counts& do_counts() const override;
 
     struct vertex {
-        float position[3]; ///< x, y in pixels, inv_w
+        float position[3]; ///< the vertex's x and y in pixels, and its inv_w
         float normal[3];   ///< the normal; in mode `error`, the colour's red, green and blue
-        std::array<std::uint8_t, 4> material; ///< colour of the material: red, green, blue
+        std::array<std::uint8_t, 4> material; ///< red, green and blue of the material
     };
 
     void add_part(const l3d_surface_part& part);

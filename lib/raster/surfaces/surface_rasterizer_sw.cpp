@@ -64,7 +64,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     lit_words lights;
     /// One plane of a band for each worker, or one plane of the picture.
     std::vector<normal_plane> normals;
-    std::vector<band_painter> painters; ///< one for each worker
+    std::vector<band_painter> painters; ///< a painter for each worker
     /// Depths of a band for each worker, if nobody wants depths after the frame.
     std::vector<l3d_depth_buffer> worker_depths;
     l3d_depth_buffer kept_depth; ///< depths of the picture, if only anti-aliasing wants them

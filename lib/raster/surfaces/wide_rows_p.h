@@ -54,7 +54,7 @@ struct wide_polygon {
     /// The least and the largest inv_w of the polygon, to which inv_w is clamped.
     float farthest = 0, nearest = 0;
     row_light light;
-    std::uint32_t unit = 0x010101; ///< the word of grey level 1
+    std::uint32_t unit = 0x010101; ///< the pixel word of grey level 1, without the material
     std::uint32_t material = 0;    ///< the part of a word that tells the material
 };
 

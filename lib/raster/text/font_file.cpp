@@ -97,7 +97,8 @@ private:
         /// are negative.
         int left = 0, top = 0;
         int width = 0, height = 0;
-        std::vector<std::uint8_t> coverage; ///< the letter's pixels, row by row
+        /// The coverage of each of the letter's pixels, row by row.
+        std::vector<std::uint8_t> coverage;
     };
     /// Font, glyph, size, and the place's distance from the pixel on its left, in parts of 1 /
     /// `phases`.

@@ -58,7 +58,7 @@ private:
     font_source() = default;
 
     unique<FT_Library> library_;
-    unique<FT_Face> face_;      ///< declared after its library, so closed before it
+    unique<FT_Face> face_;      ///< declared after FreeType's library, and so closed before it
     unique<hb_font_t*> shapes_; ///< null if HarfBuzz finds no glyphs in the file's format
 };
 

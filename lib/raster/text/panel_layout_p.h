@@ -77,7 +77,7 @@ private:
     l3d_size size_;
     int letter_size_ = 1;
     int lowest_ = 0;       ///< the lower end of the longest column
-    bool is_torn_ = false; ///< whether a word does not fit into its column
+    bool is_torn_ = false; ///< whether a word is wider than its column
 };
 
 } // namespace l3d_detail

@@ -22,7 +22,7 @@ struct placed_glyph : shaped_glyph {
 /// A line of glyphs from left to right. Units: font units of its first font.
 struct shaped_line {
     std::vector<placed_glyph> glyphs;
-    double width = 0; ///< the place where a next letter would begin
+    double width = 0; ///< the line's width: the place where a next letter would begin
 };
 
 /// Lays out lines of text: directions by the Unicode algorithm, letters by HarfBuzz, and letters

@@ -69,7 +69,7 @@ struct lane_quad {
     float_vec left, top; ///< the way from the quad's corner at (0, 0) to the pixel
     bilinear x, y, w;
     float_vec places[2]; ///< the place in the texture at (0, 0)
-    bilinear ways[2];    ///< changes of the places from (0, 0)
+    bilinear ways[2];    ///< the change of this place from (0, 0) to (s, t)
 
     /// Sets x, y and w from the corners at (0, 0), (1, 0), (0, 1) and (1, 1). A triangle's last
     /// corner is not used.

@@ -42,7 +42,7 @@ inline constexpr std::array<std::pair<const char*, l3d_texture_filter>, 4> l3d_t
 /// The continuation of a picture beyond its borders.
 enum class L3D_PUBLIC l3d_texture_wrap {
     repeat, ///< the picture again, as it is
-    clamp,  ///< the pixels at the picture's border
+    clamp,  ///< the colours at the picture's border
     mirror  ///< the picture mirrored, then as it is, and so on by turns
 };
 
@@ -113,7 +113,7 @@ private:
 
 /// A triangle of a model, with the values that are interpolated between its corners.
 struct L3D_PUBLIC l3d_painted_triangle {
-    std::array<std::uint32_t, 3> corners{}; ///< indices of the model's vertices
+    std::array<std::uint32_t, 3> corners{}; ///< the corners, as indices of the model's vertices
     std::uint32_t material = 0; ///< index of the triangle's material among the model's materials
     /// The corners' u and v, as in l3d_texture_place.
     std::array<std::array<float, 2>, 3> picture_places{};

@@ -86,7 +86,8 @@ struct pixel_range {
 /// no longer than 1/128 of its light, and levels begin at least 1/115 of their light apart. So at
 /// most one level begins in a step.
 struct level_steps {
-    static constexpr float least = 0x1p-13F; ///< less than half a level
+    /// The light at which the table begins; it is below the light of half a level.
+    static constexpr float least = 0x1p-13F;
     static constexpr int lower_bits = 16;
     static constexpr std::size_t steps = 13 * 128 + 1; ///< the last step begins at 1
     /// An entry for each step. Its lowest byte is the level where the step begins. Its upper bytes

@@ -19,8 +19,9 @@
 /// A triangle of the picture, for l3d_painter to paint back to front.
 struct l3d_painter_triangle {
     std::array<l3d_micro_vertex, 3> v;
-    std::uint32_t sides = 7;    ///< bit k: the side from corner k to the next is drawn as a line
-    std::uint32_t material = 0; ///< index of the material with which it is painted
+    /// Bit k tells whether the side from corner k to the next is drawn as a line.
+    std::uint32_t sides = 7;
+    std::uint32_t material = 0; ///< index of the material with which the triangle is painted
 };
 
 /// A cut of a triangle by another triangle's plane. The cut keeps the pixels in which the triangle
@@ -94,7 +95,7 @@ private:
     std::vector<l3d_detail::cut_triangle> cut_;
     /// The cuts of all triangles of which cuts keep a part.
     std::vector<l3d_detail::plane_cut> plane_cuts_;
-    l3d_depth_buffer places_;      ///< rank of the topmost piece in each pixel
+    l3d_depth_buffer places_; ///< in each pixel, the topmost piece's place in the order, as a depth
     l3d_depth_buffer line_depths_; ///< depths of lines, which tell their fog
 };
 
