@@ -21,11 +21,11 @@
 /// The way to find a pixel's colour in a texture's picture, from the part of this picture that the
 /// pixel covers.
 enum class L3D_PUBLIC l3d_texture_filter {
+    nearest,  ///< the colour of the picture's pixel under the middle of the drawn pixel
+    bilinear, ///< bilinear interpolation between the picture's four pixels around this middle
     /// Bilinear interpolation in two neighbouring copies of the picture, one of which may be the
     /// picture itself, and linear interpolation between both. The pixels of the larger copy are not
     /// wider than the part is long; those of the smaller copy are wider.
-    nearest,  ///< the colour of the picture's pixel under the middle of the drawn pixel
-    bilinear, ///< bilinear interpolation between the picture's four pixels around this middle
     trilinear,
     /// The mean of up to 16 trilinear colours along the part. Each takes copies whose pixels are as
     /// wide as the part is narrow.
