@@ -27,7 +27,7 @@ struct L3D_PUBLIC l3d_point_2d {
     double x = 0, y = 0;
 };
 
-/// A corner with a colour of its own.
+/// A corner of a Gouraud-shaded polygon, with a colour of its own.
 struct L3D_PUBLIC l3d_colored_point_2d {
     /// The corner's place, in pixels. (0, 0) is the centre of the top left pixel.
     double x = 0, y = 0;
@@ -61,7 +61,7 @@ struct L3D_PUBLIC l3d_coverage_2d {
 /// The closed outline of an area: corners in order, the last one joined to the first.
 using l3d_outline_2d = std::span<const l3d_point_2d>;
 
-/// The fill rule: which points are inside of outlines that cross themselves or each other. It
+/// The fill rule: which points are inside of outlines that cross themselves or each other. The rule
 /// depends on a point's winding number: how often the outlines wind around it, clockwise less
 /// anticlockwise.
 enum class L3D_PUBLIC l3d_winding {
@@ -154,7 +154,7 @@ public:
     /// Makes a rasterizer that draws with this implementation. Lives: borrows it.
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 
-    /// Sets every pixel to this word, by default to black.
+    /// Sets every pixel to this colour, by default to black.
     void clear_buffer(l3d_color color = 0) { imp_.do_clear_buffer(color); }
 
     /// Fills the whole pixels of a box, and touches no others.
@@ -171,7 +171,7 @@ public:
         imp_.do_draw_line(x0, y0, x1, y1, color);
     }
 
-    /// Draws many lines in one call of the implementation.
+    /// Draws many lines in one call of the implementation, which costs less than a call for each.
     void draw_lines(std::span<const l3d_line_2d> lines, l3d_color color) {
         imp_.do_draw_lines(lines, color);
     }

@@ -115,7 +115,7 @@ struct L3D_PUBLIC l3d_canvas {
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(l3d_size size);
 
 /// Makes a canvas of the caller's memory, such as an image that a toolkit shows. Pictures are drawn
-/// directly into these words.
+/// directly into this memory.
 /// Expects: as l3d_screen_memory.
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(const l3d_pixels& words);
 

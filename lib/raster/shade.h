@@ -58,7 +58,7 @@ enum class L3D_PUBLIC l3d_shade {
     levels,
 };
 
-/// The names of the shades that users can choose, in the order of their values.
+/// The names of the shades that users can choose, in the order of l3d_shade.
 inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_names{
     {{"lambert", l3d_shade::lambert},
      {"gouraud", l3d_shade::gouraud},

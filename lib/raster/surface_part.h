@@ -60,7 +60,8 @@ struct L3D_PUBLIC l3d_micro_grid {
     /// the right in the picture shows the other side, and its light has the other sign.
     bool shows_both = false;
 
-    /// Whether the projection is parallel. Then w is the same everywhere, whatever inv_w is.
+    /// Whether the projection is parallel. In a parallel projection, w is the same everywhere,
+    /// whatever inv_w is.
     bool is_parallel = false;
 
     /// The quads that are not drawn, since triangles replace them. A quad is named by the index()
@@ -114,7 +115,7 @@ struct L3D_PUBLIC l3d_micro_grid {
 struct L3D_PUBLIC l3d_micro_triangles {
     static constexpr std::size_t lanes = 16; ///< the number of triangles in a block
 
-    /// One corner of all triangles of a block; the components are those of l3d_micro_vertex.
+    /// One corner of all triangles of a block; its components are those of l3d_micro_vertex.
     struct alignas(64) corner {
         /// Places in the picture. Units: 1/256 pixel.
         std::array<std::int32_t, lanes> x, y;
@@ -219,8 +220,8 @@ struct L3D_PUBLIC l3d_block_starts {
 ///        quad's corners p00 p10 p11 p01 turn to the right there. The same holds for a triangle's
 ///        side, which goes from a corner to the next one.
 struct L3D_PUBLIC l3d_border_edge {
-    /// The line between two vertices, without a level of light. The caller sets what lies beside
-    /// it.
+    /// The line between two vertices, without a level of light. The caller sets the members that
+    /// tell what lies beside the line.
     static l3d_border_edge between(const l3d_micro_vertex& from, const l3d_micro_vertex& to) {
         l3d_border_edge edge;
         edge.from_x = from.x;
@@ -286,7 +287,7 @@ struct L3D_PUBLIC l3d_surface_part {
     /// The colour of the whole part in mode `error`, a pixel word.
     l3d_color error_color = 0;
     /// The part's material, an index of l3d_surface_rasterizer::use_materials. Triangles may have
-    /// their own.
+    /// materials of their own.
     std::uint32_t material = 0;
     /// Whether each quad of the grid has a material of its own: the sum of `material` and the index
     /// of the quad's first corner.

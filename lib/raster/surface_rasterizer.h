@@ -118,7 +118,7 @@ inline constexpr double l3d_most_level_error = 0.25;
 /// difference from the exact normal. Polygons with more are counted in `unproven_levels`.
 inline constexpr double l3d_most_normal_error = 1.0 / 256;
 
-/// Counts of the work of one frame.
+/// Counts of the work of one frame, for reports and tests.
 struct L3D_PUBLIC l3d_surface_counts {
     std::int64_t quads = 0; ///< micro-quads and triangles that were handed to draw()
     /// Pixel centres tested against the depth buffer. Blocks that are found hidden as a whole are
@@ -133,8 +133,8 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// The value of `covered` if pixels were not counted.
     static constexpr std::int64_t none_counted = -1;
 
-    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
-    /// as often as it was set up.
+    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each
+    /// polygon counts as often as it was set up.
     std::int64_t by_plane = 0;
 
     std::int64_t refined = 0; ///< pixels at edges, whose light is a mean over their squares
@@ -162,14 +162,15 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// quarter of the corners' deviation from one plane.
     double normal_error = 0;
     /// Tested pixels whose exact place on their patch was not found, in shades that inspect a
-    /// surface. They show values interpolated between the drawn vertices.
+    /// surface. Such pixels show values interpolated between the drawn vertices.
     std::int64_t unsolved = 0;
     /// Polygons whose errors exceed l3d_most_level_error or l3d_most_normal_error, counted at each
     /// set-up.
     std::int64_t unproven_levels = 0;
 };
 
-/// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.
+/// A rectangle of the picture. Units: 1/256 pixel from the picture's top left corner, ends
+/// included.
 struct L3D_PUBLIC l3d_subpixel_box {
     /// The first and the last column and row.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
@@ -223,7 +224,8 @@ public:
     /// Lives:   until the frame's finish; the next frame needs the call again.
     void use_materials(std::span<const l3d_material> materials) { materials_ = materials; }
 
-    /// The most materials that a frame may have: their numbers share a word with levels.
+    /// The most materials that a frame may have: a material's number shares a pixel word with a
+    /// level of 8 bits.
     static constexpr std::size_t most_materials = std::size_t{1} << 24;
 
     /// Sets whether frames that are begun later count covered pixels; at first they do. Counting
@@ -232,7 +234,7 @@ public:
     void count_pixels(bool wanted) { counting_wanted_ = wanted; }
 
     /// Sets whether frames that are begun later leave a depth everywhere, 0 where nothing is drawn;
-    /// at first they do. If not, depth has no meaning after the frame.
+    /// at first they do. If not wanted, depth has no meaning after the frame.
     void leave_depth(bool wanted) { depth_wanted_ = wanted; }
 
     /// Whether begin_part may be called. It may not if the picture is kept outside of memory, as by

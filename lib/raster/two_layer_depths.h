@@ -15,7 +15,7 @@
 
 /// The patch to which a part's polygons belong, and the patches of its model that it touches.
 ///
-/// Lives: borrows the list.
+/// Lives: borrows the list `touching`.
 struct l3d_sheet_patch {
     std::uint32_t instance = 0, patch = 0;
     /// Indices of the patches that share a corner with this patch, in rising order.
@@ -55,7 +55,9 @@ public:
     float gap(int x, int y) const { return at(x, y).gap; }
 
 private:
-    /// The kinds of polygons, by their place in a part. Triangles close slits.
+    /// The kinds of polygons, by their place in a part. `inner` are quads inside of a grid. `rim`
+    /// are quads at a grid's rim, and triangles of a part without a grid. `slit` are triangles that
+    /// close slits.
     static constexpr std::uint32_t inner = 0, rim = 1, slit = 2, kinds = 3;
 
     /// A sheet of surface at the centre of a pixel.

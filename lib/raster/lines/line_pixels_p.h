@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// The line between the pixels that contain two vertices. Their places are rounded down by a shift,
-/// also below zero.
+/// The line between the pixels that contain two vertices. The vertices' places are rounded down by
+/// a shift, also below zero.
 inline l3d_line_2d side_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
     return {a.x >> l3d_subpixel_bits, a.y >> l3d_subpixel_bits, b.x >> l3d_subpixel_bits,
             b.y >> l3d_subpixel_bits};

@@ -27,7 +27,8 @@ template <bool x_major, class Minors> struct line_walk {
     std::ptrdiff_t stride;
 
     std::uint32_t* pixel() const { return at + across(minors.floor()); }
-    /// The offset from this pixel to a later one, or to a neighbour of the later one.
+    /// The offset from the present pixel to the pixel this many steps later, or to a neighbour of
+    /// that pixel.
     std::ptrdiff_t ahead(int pixels) const {
         return pixels * along + across(minors.floor_after(pixels) - minors.floor());
     }

@@ -35,8 +35,7 @@ struct side_block {
     /// The limit of corners in a row for the lanes. Rows with more are left to slower code, as all
     /// lanes wait for the one with the most corners.
     double few_corners;
-    /// The edge that is the chain in all rows, if `straight`. Then the members above have no
-    /// meaning.
+    /// If `straight`, the edge that is the chain in all rows; then the lanes above have no meaning.
     straight_edge edge;
     bool straight;
 };
@@ -81,13 +80,14 @@ private:
     const l3d_point_2d* edge_end_ = nullptr;
 };
 
-/// Two chains in the same rows, the left one first, and the place of the spans between them.
+/// Two chains in the same rows, the left one first, and the place in the picture of the spans
+/// between them.
 struct side_pair {
     std::array<const side_block*, 2> blocks;
     /// The heights at which both chains begin and end.
     double begin, end;
-    /// The first row, and the number of rows. They exceed a block's only if both chains are
-    /// straight.
+    /// The first row, and the number of rows. There are more rows than in a block only if both
+    /// chains are straight.
     std::int32_t row;
     std::size_t count;
     /// The visible columns are 0 to width - 1.

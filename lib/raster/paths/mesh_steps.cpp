@@ -11,7 +11,7 @@ namespace l3d_detail {
 namespace {
 
 /// The largest errors of a dicing. A colour may be `place_error` pixels from its place on the
-/// patch. A linear colour may be `level_error` levels from the bilinear one.
+/// patch. A linear colour may be `level_error` levels from the bilinear colour.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
 /// The largest number of steps in a quarter. With so many steps, each triangle of a patch covers
 /// some 2^-5 pixels in pictures of 2^14 pixels a side.
@@ -28,7 +28,8 @@ template <class Function> auto of_both(const nets& of, const Function& function)
     return std::array{function(of[0]), function(of[1])};
 }
 
-/// Raises the degree of a curve's control vectors to that of a cubic.
+/// The four control numbers of a cubic that equals the curve with control numbers a and b: raises
+/// the degree.
 curve as_cubic(double a, double b) {
     const double step = (b - a) / 3;
     return {a, a + step, a + 2 * step, b};

@@ -27,7 +27,7 @@ struct mesh_steps {
     std::array<int, 4> of_quarter{1, 1, 1, 1};
 
     bool is_quartered() const { return whole > few; }
-    /// Raises the numbers of steps to those of another border, where these are larger.
+    /// Raises these numbers of steps to another border's numbers of steps, where those are larger.
     void cover(const mesh_steps& other);
     /// The same steps for the parameter that runs in the opposite direction.
     mesh_steps backwards() const;
@@ -60,7 +60,7 @@ enum class mesh_colors {
 struct mesh_dicing {
     mesh_steps along, down; ///< the steps along u, and the steps along v
     /// The cells' diagonals. If bit 4 r + c is set, cells in row r and column c of the quarters
-    /// have diagonals from (1, 0) to (0, 1). Otherwise they go from (0, 0) to (1, 1).
+    /// have diagonals from (1, 0) to (0, 1). Otherwise the diagonals go from (0, 0) to (1, 1).
     std::uint16_t rising = 0;
 
     bool rises(std::size_t row, std::size_t column) const {

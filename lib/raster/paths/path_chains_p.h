@@ -72,7 +72,7 @@ public:
     /// Expects: the picture has rows 0 to height - 1, and the chain reaches at least one of them.
     chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height);
 
-    /// The first row that the chain reaches, and the row after the last.
+    /// The first row that the chain reaches; bottom() is the row after the last.
     std::int32_t top() const { return top_; }
     std::int32_t bottom() const { return bottom_; }
     /// The place where the chain enters the picture.
@@ -109,7 +109,7 @@ public:
     void lines(std::span<const l3d_point_2d> corners);
     void end(std::uint8_t layer);
 
-    /// All chains, and the array of their corners.
+    /// All chains; corners() is the array of their corners.
     std::span<const chain> chains() const { return chains_; }
     const l3d_point_2d* corners() const { return corners_.data(); }
 

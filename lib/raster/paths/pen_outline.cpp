@@ -116,7 +116,7 @@ void pen_outline::add_ends(l3d_point_2d at, l3d_point_2d direction) {
     right_.push_back(beside(at, opposite(direction)));
 }
 
-/// Adds a joint on both sides. The right side is the left side of the way back.
+/// Adds a joint on both sides. The right side is found as the left side of a pen that comes back.
 void pen_outline::add_joint(const chord& before, const chord& after) {
     if (add_flat_joint(before, after))
         return;

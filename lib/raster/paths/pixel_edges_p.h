@@ -15,9 +15,9 @@ namespace l3d_detail {
 
 /// The way by which an outline reaches the place in a pixel at which an edge begins.
 enum class cell_begin : std::uint8_t {
-    enters,    ///< the outline enters by a side other than the left one, or by an unknown side
-    continues, ///< the edge begins where the outline's edge before it ends
-    unclear,   ///< the outline's first corner lies in the pixel, or it may cross itself there
+    enters,      ///< the outline enters by a side other than the left one, or by an unknown side
+    continues,   ///< the edge begins where the outline's edge before it ends
+    unclear,     ///< the outline's first corner lies in the pixel, or it may cross itself there
     enters_left, ///< the outline enters by the pixel's left side
 };
 

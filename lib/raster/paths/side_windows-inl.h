@@ -161,7 +161,8 @@ private:
     };
 };
 
-/// Finds the areas of a chain's pixels, as differences of the sums at their ends, and their values.
+/// Finds the window of a chain with this number of columns: the areas, as differences of area_sum
+/// from column to column, and the values.
 template <std::size_t Columns, bool is_left>
 HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at, bool joint,

@@ -83,7 +83,7 @@ std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
 
 constexpr std::size_t most_dashes = 1000000;
 
-/// The length of a path's control polygons. No outline is longer than these.
+/// The length of a path's control polygons. No outline is longer than its control polygon.
 struct length_visitor {
     double length = 0;
     l3d_point_2d begin{}, at{};
@@ -226,7 +226,7 @@ private:
     }
 
     /// The length ahead that can be skipped in a gap: whole periods of dashes that no picture
-    /// shows. It ends a period before the visible part, or before the chord's end.
+    /// shows. The skipped length ends a period before the visible part, or before the chord's end.
     double left_out(l3d_point_2d from, l3d_point_2d direction, double whole, double done) const {
         const seen_part seen(from, direction, whole, 2 * pen_.width);
         const double twice = 2 * sum_; // an odd number of lengths repeats after two passes

@@ -42,8 +42,8 @@ public:
     const std::uint64_t* masks() const { return masks_.data(); }
     static constexpr std::size_t others = (turns + 1) * in_row;
 
-    /// The places where a linear function is not negative. It has the value `in_middle` in the
-    /// square's middle, and grows by `right` and `down` over one side of the square.
+    /// The places where a linear function is not negative. The function has the value `in_middle`
+    /// in the square's middle, and grows by `right` and `down` over one side of the square.
     std::uint64_t not_negative(float in_middle, float right, float down) const {
         constexpr std::uint64_t all = ~std::uint64_t{0};
         const float size = (right < 0 ? -right : right) + (down < 0 ? -down : down);

@@ -63,8 +63,8 @@ public:
         most_ = most;
     }
 
-    /// The level at a place of the picture. The plane of a sliver is steep, so its value is held
-    /// between the levels of the corners.
+    /// The level at a place of the picture. The plane of a sliver is steep, so the plane's value is
+    /// held between the levels of the corners.
     /// Units: x and y in pixels.
     float at(const fragment_polygon& of, float x, float y) const {
         return std::min(std::max(of.at(plane_, x, y), least_), most_) + bend_;

@@ -42,8 +42,8 @@ public:
         return words()[0];
     }
 
-    /// Finds the colours of pixels of a row: afterwards, words() has them for pixels that show
-    /// something.
+    /// Finds the colours of pixels of a row: afterwards, words() has the colours of pixels that
+    /// show something.
     void paint(const named_pixels& pixels);
     const std::uint32_t* words() const { return batch_.words(); }
 

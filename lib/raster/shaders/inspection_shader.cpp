@@ -17,7 +17,7 @@ using vector = l3d_inspected_patches::vector;
 constexpr double degrees = 180 / std::numbers::pi;
 
 /// The distance of a point from the ray through a pixel, along the picture's axes. For a direction,
-/// it is the change of that distance along the direction.
+/// it is the change of this distance along the direction.
 struct offset {
     double x, y;
     offset(const vector& of, const vector& ray)
@@ -44,7 +44,7 @@ private:
 };
 
 /// The change of an angle for a change of its cosine. At 0 and at 180 degrees, this change has no
-/// bound. Stripes are widest there, so the bound of 1 / `least` is enough.
+/// bound. Stripes are widest at these angles, so the bound of 1 / `least` is enough.
 double angle_change(double cosine, double change) {
     constexpr double least = 1e-4;
     return change / std::max(std::sqrt(std::max(0.0, 1 - cosine * cosine)), least);

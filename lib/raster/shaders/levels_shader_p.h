@@ -24,7 +24,7 @@ public:
     static constexpr std::size_t components =
         2; ///< the place in the picture, relative to the first corner
 
-    /// Begins a quad: polygons are pieces of it until end_quad.
+    /// Begins a quad: the next polygons are pieces of this quad, until end_quad.
     void begin_quad(const quad_corners& v) {
         set_quad(v);
         in_quad_ = true;
@@ -135,8 +135,8 @@ private:
                4 * t * (1 - t) * ((1 - s) * bends_[3] + s * bends_[1]);
     }
 
-    /// The root of a quadratic equation that is nearer to [0, 1], clamped to it; 0 if neither is a
-    /// number.
+    /// The root of a quadratic equation that is nearer to [0, 1], clamped to this range; 0 if
+    /// neither root is a number.
     static double nearest_parameter(double a, double b) {
         const auto beside = [](double p) {
             return std::isfinite(p) ? std::max({-p, p - 1, 0.0}) : HUGE_VAL;

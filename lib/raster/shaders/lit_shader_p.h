@@ -102,8 +102,8 @@ public:
 
     static bool is_parallel(const l3d_shading& shading) { return shading.depth_step != 0; }
 
-    /// The part of the ray from the eye that differs from pixel to pixel: `look` of the shading in
-    /// perspective, otherwise `aside`.
+    /// The part of the ray from the eye that differs from pixel to pixel. It is the shading's
+    /// `look` in perspective, and its `aside` in a parallel projection.
     static vector3 own_way(const l3d_shading& shading, float x, float y) {
         const bool parallel = is_parallel(shading);
         const vector3 &at = parallel ? shading.aside : shading.look,

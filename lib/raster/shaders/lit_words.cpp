@@ -78,8 +78,8 @@ template <std::size_t Channels> struct light_amounts {
 /// The light of a vector of pixels. Shape: one channel if all lights are white or grey.
 template <std::size_t Channels> class lane_light {
 public:
-    /// `own` is the part of the vector from the eye that differs from pixel to pixel, as in
-    /// lit_shader.
+    /// Takes the normals `raw` of pixels, and `own`: the part of the ray from the eye that differs
+    /// from pixel to pixel, as lit_shader::own_way.
     HWY_INLINE lane_light(const l3d_shading& shading, const lane_vector& raw,
                           const lane_vector& own, float_vec depth)
         : shading_(shading), look_(look_of(shading, own)), distance_(length_of(look_)) {

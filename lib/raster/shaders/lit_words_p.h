@@ -24,8 +24,8 @@ struct lit_pixels {
     std::ptrdiff_t depth_pitch;
     std::int32_t left, top; ///< column and row of the rectangle's first pixel in the picture
     std::int32_t width, height;
-    /// The colours of the pixels of a rectangle with a single row, if materials do not tell them;
-    /// else null.
+    /// The colours of the pixels of a rectangle with a single row, if materials do not tell these
+    /// colours; else null.
     const std::uint32_t* colors = nullptr;
 };
 

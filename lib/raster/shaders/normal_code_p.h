@@ -19,7 +19,7 @@ struct normal_code {
     static constexpr float scale = 16383;
 
     /// A number for rounding, 3 * 2^22. If it is added to a number below 2^15 in size, the last 16
-    /// bits of the sum are those of the nearest integer.
+    /// bits of the sum are the last 16 bits of the nearest integer.
     static constexpr float whole_numbers = 12582912;
 
     std::uint32_t xy = 0; ///< the normal's x in the lower half, its y in the upper half

@@ -49,7 +49,7 @@ concept has_lanes = requires(const Shader shader) {
     shader.in_lanes();
 };
 
-/// Whether a shader lights normals that are interpolated between corners.
+/// Whether a shader lights normals that are interpolated between a polygon's corners.
 template <class Shader>
 concept has_normals = Shader::interpolates_normals;
 

@@ -63,12 +63,12 @@ public:
         set_gradients(p[2] - p[0], p[3] - p[1], v[2], v[0], v[3], v[1], area2);
     }
 
-    /// The numbers at the centre of a pixel.
+    /// The interpolated numbers at the centre of a pixel.
     numbers at(std::int32_t column, std::int32_t row) const {
         return at_place(pixel * (column + 0.5), pixel * (row + 0.5));
     }
 
-    /// The numbers at any place. Units: 1/256 pixel.
+    /// The interpolated numbers at any place. Units: 1/256 pixel.
     numbers at_place(double x, double y) const {
         numbers result;
         for (std::size_t i = 0; i < Count; ++i)

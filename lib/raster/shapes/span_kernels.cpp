@@ -98,7 +98,8 @@ HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::
     return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::AndNot(low, odd));
 }
 
-/// Blends a vector of words. Does nothing and returns false if one of them may be transparent.
+/// Blends a vector of words. Does nothing and returns false if one of these words may be
+/// transparent.
 template <class D, class Shares>
 HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const Shares& shares,
                              std::size_t i) {

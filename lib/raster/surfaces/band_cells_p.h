@@ -36,8 +36,8 @@ struct band_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
-/// The box of some quads or triangles, and an upper bound of inv_w in their pixels. It tells
-/// whether they are hidden.
+/// The box of some quads or triangles, and an upper bound of inv_w in their pixels. These bounds
+/// tell whether the polygons are hidden.
 struct polygon_bounds {
     l3d_subpixel_box box;
     float nearest = 0;

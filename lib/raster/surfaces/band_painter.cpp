@@ -105,7 +105,7 @@ void band_painter::draw_triangles(const band_frame& frame, const fill_band& band
         scalar_.fill(*item.part, item.triangle_begin, item.triangle_end);
 }
 
-/// Draws an item's quads in the band. Rows of quads above or below it are left out.
+/// Draws an item's quads in the band. Rows of quads above or below the band are left out.
 void band_painter::draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
                               const band_item& item) {
     const band_rows* const rows = list.rows(item) - item.cells.row_begin;

@@ -42,8 +42,8 @@ class coarse_depth {
 public:
     void resize(l3d_size size);
 
-    /// Fills those tiles of the band into which something was drawn with the background of a
-    /// picture of this height.
+    /// Writes the background of a picture of this height into those tiles of the band into which
+    /// something was drawn.
     void clear_words(const fill_band& band, const l3d_background& background,
                      std::int32_t height) const;
 
@@ -51,7 +51,7 @@ public:
     /// are.
     void forget(std::int32_t top, std::int32_t bottom);
 
-    /// Prepares a box for drawing: sets the depths of those of its tiles to 0 into which nothing
+    /// Prepares a box for drawing: sets the depths to 0 in those of its tiles into which nothing
     /// was drawn yet.
     void open(const l3d_pixel_box& box, const fill_band& band);
 

@@ -205,8 +205,8 @@ private:
         queue_.material[to] = triangle.material;
     }
 
-    /// Fills the first `enough` polygons of the queue, and moves the others to its front. The
-    /// others are fewer than the lanes of the widest vector.
+    /// Fills the first `enough` polygons of the queue, and moves all others to the queue's front.
+    /// These others are fewer than the lanes of the widest vector.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
         find_seen(fill_queue::enough);

@@ -65,7 +65,7 @@ public:
         spread_ = hn::Add(hn::Add(square1_, square2_), hn::Mul(set(0.5f), across));
     }
 
-    /// Adds the polygons whose normals differ too much to the unfit ones.
+    /// Adds to the unfit polygons those whose normals differ too much for lanes.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const {
         return hn::Or(unfit, mask_of(hn::Gt(spread_, set(smooth_spread))));
     }

@@ -35,7 +35,7 @@ public:
         side_dc_ = load_float(queue.corner[3][4] + at);
     }
 
-    /// Adds skewed quads to the unfit polygons: a parabola in their parameters is far from a
+    /// Adds to the unfit polygons the skewed quads, as a parabola in their parameters is far from a
     /// parabola in the picture.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask skewed) const {
         return hn::Or(unfit, skewed);

@@ -29,7 +29,8 @@ HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
     return hn::RebindMask(ints(), mask);
 }
 
-/// The same as first_centre of pixel_centres.h, in lanes.
+/// The first pixel whose centre is at or after a position: first_centre of pixel_centres.h, in
+/// lanes.
 template <class D> HWY_INLINE hn::Vec<D> first_centre_of(D d, hn::Vec<D> position) {
     return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
 }
@@ -73,8 +74,8 @@ HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotien
 /// and up to 2^20 in all.
 struct lane_edge {
     int_vec column, column_step;
-    /// Whole - 1 less the remainder of the division by `whole` that gives `column`, and its change
-    /// from row to row.
+    /// `room` is `whole` - 1, less the remainder of the division by `whole` that gives `column`.
+    /// `room_step` is the amount by which `room` falls from row to row.
     int_vec room, room_step, whole;
     int_vec left;   ///< all bits set if columns left of the edge are outside, else none
     int_vec beyond; ///< 0 if columns right of the edge are outside, else more than any column
@@ -249,8 +250,8 @@ HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     return hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f)));
 }
 
-/// Notes errors as fill_counts does, in lanes: the largest one up to `most`, and the number of
-/// larger ones.
+/// Notes the errors of a vector of polygons, as fill_counts does: the largest error up to `most`,
+/// and the number of larger errors.
 HWY_INLINE void note_errors(float_vec error, double most, float& largest, std::int64_t& unproven) {
     const floats d;
     const auto tight = hn::Le(error, set(static_cast<float>(most)));
@@ -265,7 +266,8 @@ HWY_INLINE float_vec lit_of(const l3d_shading& shading, const float_vec (&normal
                    hn::Mul(normal[2], set(shading.light[2])));
 }
 
-/// The same as away_from_eye in lanes, operation by operation.
+/// The product of a normal with the ray from the eye: away_from_eye in lanes, operation by
+/// operation.
 HWY_INLINE float_vec away_of(const l3d_shading& shading, int_vec place_x, int_vec place_y,
                              const float_vec (&normal)[3]) {
     const float_vec x = hn::Mul(to_float(place_x), set(1.0f / pixel));

@@ -18,8 +18,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The number of pixels of a row that are filled together. It is fixed, as a pixel's bits depend on
-/// where its run begins.
+/// The number of pixels of a row that are filled together. This number is the same for all
+/// instruction sets, as a pixel's bits depend on where its run begins.
 constexpr std::int32_t run = 16;
 static_assert(run <= fill_least_width);
 

@@ -73,8 +73,8 @@ template <class D> struct word_maker {
 private:
     static constexpr std::uint32_t ambient = 26;
 
-    /// A number for rounding: added to a smaller number, it makes the sum's last bits the nearest
-    /// integer.
+    /// A number for rounding: if it is added to a smaller number, the last bits of the sum are the
+    /// nearest integer.
     static constexpr float whole_numbers = 8388608.0f; // 2^23
 
     /// Words whose lower halves are the integers nearest to the given numbers.

@@ -83,7 +83,7 @@ public:
         return std::abs(at(1)) * std::abs(at(0)) / (std::abs(at(0)) + std::abs(at(3)));
     }
 
-    /// The corner, 0 or 1, from which a diagonal cuts the quad best: so that the smaller half is as
+    /// The corner, 0 or 1, from which a diagonal cuts the quad best, so that the smaller half is as
     /// large as possible.
     std::size_t diagonal() const {
         const auto smaller = [this](std::size_t i) {
@@ -191,8 +191,8 @@ struct quad_bends {
     float both() const { return 0.5f * (ab + dc + ad + bc); }
 };
 
-/// The same as cut_folded, in mode l3d_shade::levels. The bend of half a diagonal is a quarter of
-/// the diagonal's bend.
+/// Cuts a folded quad as cut_folded does, in mode l3d_shade::levels. The bend of half a diagonal is
+/// a quarter of the diagonal's bend.
 template <class Add>
 void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& turns,
                        const Add& add) {

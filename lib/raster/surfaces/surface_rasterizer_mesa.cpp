@@ -147,7 +147,7 @@ void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
     counts_.quads += polygons(part);
 }
 
-/// Sets the material of all vertices that are added from here on.
+/// Sets the material of all vertices that are added after this call.
 void l3d_surface_rasterizer_mesa::set_material(std::uint32_t material) {
     const std::uint32_t word =
         materials().empty() ? l3d_material().color : materials()[material].color;

@@ -182,7 +182,7 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
         make_room_for_normals();
 }
 
-/// Makes the normals' planes as large as the depths, for the same pixels.
+/// Makes room for the second words of normals, for as many pixels as there are depths.
 void l3d_surface_rasterizer_sw::make_room_for_normals() {
     const l3d_depth_buffer& like = depth_ ? *depth_ : work_->worker_depths.front();
     const auto size =
@@ -290,7 +290,7 @@ fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
             normals};
 }
 
-/// Whether filled words still have to be coloured, or to get fog, before they can be seen.
+/// Whether filled words still have to be coloured, or to get fog, before the picture is shown.
 bool l3d_surface_rasterizer_sw::changes_words() const {
     return (work_->frame.words.has_materials && !is_over()) || work_->frame.shading.fog.is_on();
 }

@@ -16,7 +16,7 @@ struct fill_band;
 struct plane_cut;
 } // namespace l3d_detail
 
-/// The division of the work into bands. The picture does not depend on it.
+/// The division of the work into bands. The picture does not depend on this division.
 struct l3d_band_settings {
     int rows = 0; ///< rows of pixels in a band, a multiple of 8; 0: as many as fit the cache
     bool leave_out_hidden = true; ///< whether to leave out polygons that are surely hidden

@@ -14,7 +14,7 @@
 namespace l3d_detail {
 
 /// The band that a shader draws into, with the settings for its words.
-/// Lives: borrows the band's pixels and depth; owns the spans.
+/// Lives: borrows the band's pixels and depth; owns the spans of the scan.
 struct surface_target {
     fill_band band{};
     scan_polygon scan;

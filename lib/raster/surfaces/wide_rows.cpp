@@ -241,8 +241,8 @@ private:
     normal_light<D> light_;
 };
 
-/// The rows that fit into a short vector, and the longer ones. Rows without columns are in neither
-/// list.
+/// The rows of a polygon that fit into a short vector, and its longer rows. Rows without columns
+/// are in neither list.
 struct rows_by_length {
     std::array<std::uint32_t, wide_runs::room> short_ones, long_ones;
     std::size_t shorts, longs;

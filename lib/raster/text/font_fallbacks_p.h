@@ -15,7 +15,7 @@ namespace l3d_detail {
 /// each letter that no open font has. Before the first such letter, nothing is asked or opened.
 class font_fallbacks {
 public:
-    /// A font that has this letter; null if the machine has none.
+    /// A font that has this letter; null if the machine has no such font.
     const font_source* find(char32_t code);
 
 private:

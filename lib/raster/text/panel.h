@@ -20,7 +20,7 @@ struct L3D_PUBLIC l3d_panel_style {
     /// The letters of all text.
     l3d_font font{};
 
-    /// The height of letters in pixels. Letters become smaller where these do not fit.
+    /// The height of letters in pixels. Where letters of this size do not fit, they become smaller.
     int size = 14;
 
     /// The colour of lines.

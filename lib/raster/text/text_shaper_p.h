@@ -14,7 +14,7 @@
 
 namespace l3d_detail {
 
-/// A glyph of a line, and the font that has the glyph. Units: those of the line's first font.
+/// A glyph of a line, and the font that has the glyph. Units: font units of the line's first font.
 struct placed_glyph : shaped_glyph {
     const font_source* source = nullptr;
 };

@@ -45,8 +45,8 @@ struct picture_map {
     }
 };
 
-/// The same map in floats, relative to some parameters of the patch. Shape: u and v of the
-/// texture's picture.
+/// A picture_map in floats, for parameters relative to some parameters of the patch. Shape: u and v
+/// of the texture's picture.
 ///
 /// Cost: floats round parameters by 2^-24 of the patch. This rounding is seen only where a patch
 ///       repeats a picture more often than pixels could show.
@@ -78,8 +78,8 @@ struct painted_part {
     }
 };
 
-/// All painted parts of a frame, in the order of their names. More may be added until the frame is
-/// coloured.
+/// All painted parts of a frame, in the order of their names. More parts may be added until the
+/// frame is coloured.
 struct painted_parts {
     std::vector<painted_part> all;
     std::vector<float> parameters; ///< the parameters of the columns and rows of all grids

@@ -33,7 +33,7 @@ struct bilinear {
     HWY_INLINE float_vec along_s(float_vec at_t) const { return hn::Add(s, hn::Mul(at_t, st)); }
     HWY_INLINE float_vec along_t(float_vec at_s) const { return hn::Add(t, hn::Mul(at_s, st)); }
 
-    /// This function, less `factor` times another one.
+    /// This function, less `factor` times another function.
     HWY_INLINE bilinear less(float_vec factor, const bilinear& other) const {
         return {hn::Sub(s, hn::Mul(factor, other.s)), hn::Sub(t, hn::Mul(factor, other.t)),
                 hn::Sub(st, hn::Mul(factor, other.st))};
@@ -96,8 +96,8 @@ struct place_rows {
     float *u, *v, *u_right, *v_right, *u_down, *v_down;
 };
 
-/// Finds the places that pixels show, and the changes to the next pixels. Pixels outside of `shown`
-/// get changes of 0.
+/// Finds the places of the texture that pixels show, and the changes to the next pixels. Pixels
+/// outside of `shown` get changes of 0.
 HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<floats> shown, const place_rows& to) {
     const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
     float_vec s = set(0.5F), t = set(0.5F);
@@ -172,8 +172,8 @@ public:
     }
 
 private:
-    /// Converts places from 1/256 pixel to pixels. These are below 2^15, so floats hold them
-    /// exactly.
+    /// Converts places from 1/256 pixel to pixels. Places are below 2^15 pixels, so floats hold
+    /// them exactly.
     static HWY_INLINE float_vec pixels_of(int_vec place) {
         return hn::Mul(hn::ConvertTo(floats(), place), set(1.0F / l3d_subpixel_one));
     }

@@ -39,7 +39,7 @@ inline constexpr std::array<std::pair<const char*, l3d_texture_filter>, 4> l3d_t
      {"trilinear", l3d_texture_filter::trilinear},
      {"anisotropic", l3d_texture_filter::anisotropic}}};
 
-/// The continuation of a picture beyond its borders.
+/// The continuation of a texture's picture beyond its borders.
 enum class L3D_PUBLIC l3d_texture_wrap {
     repeat, ///< the picture again, as it is
     clamp,  ///< the colours at the picture's border
@@ -51,9 +51,10 @@ enum class L3D_PUBLIC l3d_texture_wrap {
 /// Units: (0, 0) is the picture's top left corner, (1, 1) the bottom right one.
 struct L3D_PUBLIC l3d_texture_place {
     double u = 0, v = 0; ///< the place of the texture's picture under the middle of the pixel
-    /// The step from this place to that of the next pixel on the right.
+    /// The step from this place to the place of the next pixel on the right.
     double u_right = 0, v_right = 0;
-    double u_down = 0, v_down = 0; ///< the step from this place to that of the next pixel below
+    /// The step from this place to the place of the next pixel below.
+    double u_down = 0, v_down = 0;
 };
 
 namespace l3d_detail {
@@ -74,7 +75,7 @@ struct texture_view;
 ///          may hold as much unused memory again.
 class L3D_PUBLIC l3d_texture {
 public:
-    /// The most samples of the filter `anisotropic`. Each of these samples is one of the filter
+    /// The most samples of the filter `anisotropic`. Each of these is a sample of the filter
     /// `trilinear`.
     static constexpr int most_samples = 16;
 

@@ -42,8 +42,8 @@ HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     }
 }
 
-/// The two pixels beside places along one axis: the first, and the share of the second. Both pixels
-/// may lie in the border of one pixel around the mip level.
+/// The two pixels beside places along one axis: the index of the first, and the share of the second
+/// in the colour. Both pixels may lie in the border of one pixel around the mip level.
 struct neighbours {
     int_vec first;
     float_vec share;

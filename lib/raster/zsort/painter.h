@@ -40,14 +40,14 @@ struct l3d_painter_cut {
     std::uint32_t next = last;
 };
 
-/// A piece to paint: a triangle, or the part of it that cuts leave.
+/// A piece to paint: a triangle, or the part of a triangle that cuts leave.
 struct l3d_painter_piece {
     std::uint32_t triangle = 0;
     /// Index of the first of the piece's cuts; `last` if it has none.
     std::uint32_t cut = l3d_painter_cut::last;
 };
 
-/// The look of sides that are drawn as lines.
+/// The look of triangles' sides that are drawn as lines.
 struct l3d_line_look {
     std::uint32_t color = 0x00ffffff;
     bool smooth = false; ///< whether lines are anti-aliased
