@@ -217,8 +217,8 @@ struct L3D_PUBLIC l3d_block_starts {
 /// A straight piece of the border of a surface's grid, or a side of a loose triangle.
 ///
 /// Units: as l3d_micro_vertex. Seen in the picture, the quad beside the line is on its right if the
-///        quad's corners p00 p10 p11 p01 turn to the right there. The same holds for a triangle's
-///        side, which goes from a corner to the next one.
+///        quad's corners p00 p10 p11 p01 turn to the right. The same holds for a triangle's side,
+///        which goes from a corner to the next one.
 struct L3D_PUBLIC l3d_border_edge {
     /// The line between two vertices, without a level of light. The caller sets the members that
     /// tell what lies beside the line.

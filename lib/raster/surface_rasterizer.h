@@ -158,8 +158,8 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// Units: levels; at most l3d_most_level_error.
     double level_error = 0;
     /// The largest error of normals in lit frames, compared with the normals that the corners'
-    /// normals give for the same parameters. It is at most l3d_most_normal_error. It leaves out a
-    /// quarter of the corners' deviation from one plane.
+    /// normals give for the same parameters. The error is at most l3d_most_normal_error. This
+    /// number leaves out a quarter of the corners' deviation from one plane.
     double normal_error = 0;
     /// Tested pixels whose exact place on their patch was not found, in shades that inspect a
     /// surface. Such pixels show values interpolated between the drawn vertices.
@@ -203,7 +203,7 @@ public:
     bool inspects() const { return do_inspects(); }
 
     /// Starts a frame: the picture shows the background, and depth is 0. Each rasterizer decides
-    /// when it writes them to memory, at finish at the latest.
+    /// when it writes background and depth to memory, at finish at the latest.
     ///
     /// A null depth buffer is the fastest: depth is not kept, and a single call of draw makes the
     /// whole frame. A picture that is `untouched` since the last finish need not be cleared where

@@ -34,12 +34,12 @@ struct l3d_sheet_patch {
 ///
 /// A polygon covers pixels by the picture's own rule, so a sheet that is not folded is met once in
 /// each pixel. At the borders of patches, slits and rims may overlap by less than the bound of
-/// places. There, the polygons of a patch and of its neighbours count as one sheet if their slopes
-/// are alike.
+/// places. At these borders, the polygons of a patch and of its neighbours count as one sheet if
+/// their slopes are alike.
 /// Cost:    36 bytes for each pixel, and some 20 ns for each pixel and sheet.
 class l3d_two_layer_depths {
 public:
-    /// Starts an empty picture. In a parallel projection, depths are linear in the distance. They
+    /// Starts an empty picture. In a parallel projection, depths are linear in the distance. Depths
     /// change by depth_by_pixel if the distance changes by a pixel's width; in perspective it is 0.
     /// Units: focal in pixels.
     void begin(l3d_size size, double focal, double depth_by_pixel = 0);

@@ -57,8 +57,9 @@ struct flat_plan {
 /// both sides alike. NUMERICS.md, section 20.
 flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
 
-/// The length of the first and the last step, in units of the other steps' length. They differ
-/// because the curve's own ends stay in place. The value is (1 + sqrt 2) / sqrt 8.
+/// The length of the first and the last step, in units of the other steps' length. These two steps
+/// differ from the others because the curve's own ends stay in place. The value is (1 + sqrt 2) /
+/// sqrt 8.
 inline constexpr double flat_step_at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
 
 /// The length of a step in the curve's parameter, except for those at the ends.

@@ -30,7 +30,7 @@ struct corner_run {
 };
 
 /// The part of a chain in one row of pixels. It goes from the place where the chain enters the row,
-/// by its corners there, to the place where it leaves.
+/// by the chain's corners in the row, to the place where the chain leaves it.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
     double left, right; ///< the piece lies between these x

@@ -33,9 +33,9 @@ public:
     std::int32_t begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
                        const l3d_pixel_box& band, std::size_t most);
 
-    /// Sets the colours of the frame's materials. There are none unless the frame has materials and
-    /// words are levels. `by_material` tells whether shaders take a material's index instead of its
-    /// colour.
+    /// Sets the colours of the frame's materials. The list is empty unless the frame has materials
+    /// and pixel words are levels. `by_material` tells whether shaders take a material's index
+    /// instead of its colour.
     /// Lives: until the next call.
     void use_colors(std::span<const std::uint32_t> colors, bool by_material) {
         colors_ = colors;

@@ -21,8 +21,8 @@ struct contour_edge {
 };
 
 /// Finds the edges of grids at which a surface folds over. They lie between a polygon that turns to
-/// the right in the picture and one that does not. A folded quad is taken as the four triangles by
-/// which it is filled.
+/// the right in the picture and a polygon that does not. A folded quad is taken as the four
+/// triangles by which it is filled.
 ///
 /// Around a vertex, polygons that turn to the right fill the same angle as those that turn to the
 /// left. So polygons of both kinds end at such an edge. A surface has no other outlines than these

@@ -21,8 +21,8 @@
 /// that GL cannot draw exactly. These include polygons that reach further than 8191 pixels from the
 /// middle of the picture, and pictures larger than GL's largest.
 /// Cost:    drawing only gathers triangles. The target's picture is copied to GL before the first
-///          batch after finish, set_target, or a shape that the CPU draws. It is copied back in
-///          finish.
+///          batch after finish, set_target, or a shape that the CPU draws. The picture is copied
+///          back in finish.
 class l3d_rasterizer_2d_mesa_imp final : public l3d_rasterizer_2d_imp {
 public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.

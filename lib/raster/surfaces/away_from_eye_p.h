@@ -11,7 +11,7 @@
 namespace l3d_detail {
 
 /// The product of a normal with the ray from the eye. It is positive if the normal points away from
-/// the eye, and must be turned to it.
+/// the eye. Such a normal must be turned to the eye.
 ///
 /// The number is interpolated like the normal itself. The polygon's orientation in the picture
 /// would not do instead. This orientation is arbitrary where a surface bends away, and in the

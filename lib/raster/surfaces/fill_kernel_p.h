@@ -167,8 +167,8 @@ struct fill_queue {
     alignas(64) std::uint32_t material[room];
     std::size_t count = 0;
 
-    /// The pieces of folded and skew quads. They are filled after all other polygons. So the order
-    /// of two equally near polygons does not depend on how many polygons waited together.
+    /// The pieces of folded and skew quads. Pieces are filled after all other polygons. So the
+    /// order of two equally near polygons does not depend on how many polygons waited together.
     std::vector<fill_piece> pieces;
 
     /// The grey levels of the corners of a run of polygons, written and read a vector at a time.

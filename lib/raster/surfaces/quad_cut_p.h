@@ -132,10 +132,10 @@ inline bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& cen
 ///
 /// A triangle that is turned over shows its back, as at a contour. The exception is a single turned
 /// triangle. Then the other three triangles go once around the centre and cover the turned one
-/// again, except for a rest. The rest lies between its outer side and the crossing of the quad's
-/// two sides beside this side. Rounded corners, as beside a pole, make such triangles, too. So the
-/// turned triangle shows the same side as the others if the rest is less than half of it, or the
-/// two sides do not cross.
+/// again, except for a rest. The rest lies between the turned triangle's outer side and the
+/// crossing of the quad's two sides beside this side. Rounded corners, as beside a pole, make such
+/// triangles, too. So the turned triangle shows the same side as the others if the rest is less
+/// than half of it, or the two sides do not cross.
 class folded_sides {
 public:
     folded_sides(const quad_corners& v, const quad_turns& turns, const l3d_micro_vertex& centre) {

@@ -13,8 +13,8 @@
 /// Draws surfaces through GL, as a second opinion on every picture. Coverage, interpolation, depth
 /// test and shading language are GL's.
 ///
-/// A convex quad is drawn as two triangles. Its outline is exact. If it is no parallelogram, depth
-/// and shade inside differ a little from the plane that the CPU lays through it.
+/// A convex quad is drawn as two triangles. The quad's outline is exact. If it is no parallelogram,
+/// depth and shade inside differ a little from the plane that the CPU lays through it.
 ///
 /// Positions are exact within 8192 pixels of the middle of the picture. Polygons that reach further
 /// are clipped at this distance, with rounding. The CPU draws pictures larger than GL's largest,

@@ -40,8 +40,8 @@ struct bilinear {
     }
 };
 
-/// A step of Newton's method. It has the offset of (w x, w y) at (s, t) from w times the pixel's
-/// place. It also has the derivatives of this offset by s and t, and the inverse of their
+/// A step of Newton's method. It holds the offset of (w x, w y) at (s, t) from w times the pixel's
+/// place. It also holds the derivatives of this offset by s and t, and the inverse of their
 /// determinant.
 struct lane_map {
     float_vec dx, dy, x_s, x_t, y_s, y_t, over;
