@@ -126,12 +126,12 @@ struct L3D_PUBLIC l3d_own_shade {
 /// The settings of the shades that inspect a surface. n is the unit normal, turned to the eye.
 ///
 /// - `zebra`: dark and bright stripes of the angle between `direction` and the reflected ray that
-/// reaches the eye. Stripes break where normals jump, and have a corner where curvatures jump. -
-/// `isophotes`: stripes of the angle between n and the light. - `gaussian`, `mean`: curvature, from
-/// blue (negative) over white (0) to red. Mean curvature is positive where the surface bends
-/// towards n, as a bowl that is seen from above. - `draft`: the angle between the surface and
-/// `direction`, from red (negative) over yellow (0) to green. The angle is positive where n goes
-/// along `direction`.
+///   reaches the eye. Stripes break where normals jump, and have a corner where curvatures jump.
+/// - `isophotes`: stripes of the angle between n and the light.
+/// - `gaussian`, `mean`: curvature, from blue (negative) over white (0) to red. Mean curvature is
+///   positive where the surface bends towards n, as a bowl that is seen from above.
+/// - `draft`: the angle between the surface and `direction`, from red (negative) over yellow (0) to
+///   green. The angle is positive where n goes along `direction`.
 struct L3D_PUBLIC l3d_inspection {
     /// The direction from which `zebra` and `draft` measure angles. World space, any length but 0.
     l3d_vector<double, 3> direction{0.0, 1.0, 0.0};

@@ -23,17 +23,18 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 
 /// A vertex of a surface.
 ///
-/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23. inv_w = 1
-///        / distance along the view axis, in 1 / world units, > 0. normal = the direction of dS/du
-///        x dS/dv in world space, not yet turned to the eye: a unit vector, or zero. Fast fills
-///        rely on unit normals.
+/// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23.
+///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0.
+///        normal = the direction of dS/du x dS/dv in world space, not yet turned to the eye: a
+///        unit vector, or zero. Fast fills rely on unit normals.
 ///
-/// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings. - [0] is
-/// the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).) - [1] and
-/// [2] are bends of sides: the level in a side's middle, less the mean of the levels at its ends.
-/// In a grid, they belong to the sides that lead to the next vertices along u and v. - In a
-/// triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1], and the
-/// bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
+/// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings.
+/// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)
+/// - [1] and [2] are bends of sides. A bend is the level in a side's middle, less the mean of the
+///   levels at its ends. In a grid, the bends belong to the sides to the next vertices along u and
+///   v.
+/// - In a triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1],
+///   and the bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
 struct L3D_PUBLIC l3d_micro_vertex {
     /// The place in the picture.
     std::int32_t x = 0, y = 0;
