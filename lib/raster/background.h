@@ -13,7 +13,8 @@
 #include <cstdint>
 #include <optional>
 
-/// The highest byte of a pixel word for a share of transparency, shifted to its place in the word.
+/// The bits of a pixel word that make it transparent by this share: its highest byte, from 0 to
+/// 255, shifted to its place in the word.
 /// Expects: a share from 0 to 1.
 inline std::uint32_t l3d_transparency_of(float share) {
     return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
@@ -22,7 +23,8 @@ inline std::uint32_t l3d_transparency_of(float share) {
 /// The background of a picture: one colour, two that pass into each other from top to bottom, or
 /// none. By default it is black.
 ///
-/// Each row has one colour, so a part of a picture is the same however it is drawn.
+/// Each row has one colour. So a pixel's background is the same whether a frame draws the whole
+/// picture or a part of it.
 struct L3D_PUBLIC l3d_background {
     std::uint32_t top = 0;    ///< the pixel word of the first row
     std::uint32_t bottom = 0; ///< the pixel word of the last row
@@ -42,8 +44,8 @@ struct L3D_PUBLIC l3d_background {
     /// Whether red, green and blue are equal in each row.
     constexpr bool is_grey() const { return is_grey(top) && is_grey(bottom); }
 
-    /// The pixel word of a row. Each channel changes linearly from the first to the last row, and
-    /// is rounded to the nearest level.
+    /// The pixel word of a row in a picture of this height. Each channel changes linearly from the
+    /// first to the last row, and is rounded to the nearest level.
     /// Expects: 0 <= row < height.
     constexpr std::uint32_t word(int row, int height) const {
         if (top == bottom)
@@ -80,9 +82,10 @@ private:
 ///
 /// Units: distances along the view axis, in world units.
 struct L3D_PUBLIC l3d_fog {
-    float from = 0;                   ///< distance at which fog begins
-    float to = 0;                     ///< distance at which fog hides everything
-    std::optional<l3d_color> color{}; ///< pixel word; none: the background's colour in each row
+    float from = 0; ///< distance at which fog begins
+    float to = 0;   ///< distance at which fog hides everything
+    /// The fog's pixel word; none: the background's colour in each row.
+    std::optional<l3d_color> color{};
 
     /// Whether there is any fog.
     bool is_on() const { return to > from; }
@@ -94,15 +97,15 @@ struct L3D_PUBLIC l3d_fog {
         return static_cast<std::uint32_t>(255 * held + 0.5F);
     }
 
-    /// The colour of a surface behind fog: in each channel, the mean of both colours, weighted by
-    /// the amount of fog.
+    /// The colour of a surface behind fog: in each channel, the mean of the surface's and the fog's
+    /// colour, weighted by the amount of fog.
     /// Units: pixel words without transparency; the amount from 0 to 255.
     static std::uint32_t word(std::uint32_t surface, std::uint32_t fog, std::uint32_t amount) {
         return l3d_screen_info::light_native(surface, 255 - amount) +
                l3d_screen_info::light_native(fog, amount);
     }
 
-    /// The fog's colour in a row of a picture.
+    /// The fog's colour in a row of a picture of this height.
     std::uint32_t in_row(const l3d_background& background, int row, int height) const {
         return color ? *color : background.word(row, height);
     }

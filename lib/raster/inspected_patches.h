@@ -11,8 +11,8 @@
 
 /// The exact patches of a frame, and the settings by which they are inspected.
 ///
-/// Units: world units, from the eye, along axes to the right, down and forward. Lengths are those
-///        of the world, so curvatures are, too.
+/// Units: places are measured from the eye, along axes to the right, down and forward, in world
+///        units. So curvatures are those of the world.
 struct l3d_inspected_patches {
     using vector = l3d_vector<double, 3>;
 
@@ -30,11 +30,12 @@ struct l3d_inspected_patches {
     std::vector<l3d_bezier_patch<double, 3>> nets;
     /// The patches' materials, for a program's own shade; empty for other shades.
     std::vector<l3d_material> materials;
-    /// The eye in the world.
+    /// The eye's place in world space.
     vector eye{0.0, 0.0, 0.0};
     std::array<vector, 3> axes{};
 
-    /// Turns a direction along the axes into one in the world.
+    /// Turns a direction along these axes (right, down, forward) into the same direction in world
+    /// space.
     vector in_world(const vector& of_axes) const {
         return axes[0] * of_axes[0] + axes[1] * of_axes[1] + axes[2] * of_axes[2];
     }

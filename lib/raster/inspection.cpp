@@ -28,7 +28,8 @@ std::span<const std::uint32_t> stops_of(l3d_shade shade) {
     return shade == l3d_shade::draft ? std::span(of_draft) : std::span(of_curvature);
 }
 
-/// Integrals over stripes, which begin at 0 with a bright one. Units: widths of a stripe.
+/// Integrals over bright and dark stripes by turns, which begin at 0 with a bright stripe. Units:
+/// widths of a stripe.
 ///
 /// `first` is the length of the bright part of [0, t], and `second` is the integral of `first`. At
 /// both ends, the stripes go on as in a mirror.
@@ -50,8 +51,9 @@ private:
         return pairs + std::min(t - 2 * pairs, 1.0);
     }
 
-    /// The integral within the stripes. Over a pair of stripes with k pairs before it, `first`
-    /// rises from k to k + 1 and then stays. So the pair adds 2 k + 1/2 + 1.
+    /// The integral of `first` from 0 to t, for t from 0 to the end of the stripes. Over a pair of
+    /// stripes with k pairs before it, `first` rises from k to k + 1 and then stays. So the pair
+    /// adds 2 k + 1/2 + 1.
     static double second_within(double t) {
         const double pairs = std::floor(t / 2), rest = t - 2 * pairs, rising = std::min(rest, 1.0);
         return pairs * (pairs + 0.5) + pairs * rest + rising * rising / 2 + (rest - rising);

@@ -20,7 +20,7 @@ using l3d_light_color = std::array<float, 3>;
 /// A light so far away that its rays are parallel.
 struct L3D_PUBLIC l3d_far_light {
     std::array<float, 3> direction{0, 0, 1}; ///< unit vector towards the light, world space
-    l3d_light_color color{1, 1, 1};          ///< its brightness
+    l3d_light_color color{1, 1, 1};          ///< the light's brightness in red, green and blue
 
     friend bool operator==(const l3d_far_light&, const l3d_far_light&) = default;
 };
@@ -28,10 +28,10 @@ struct L3D_PUBLIC l3d_far_light {
 /// A light at a place. Its brightness is the same everywhere, or falls with the square of the
 /// distance.
 struct L3D_PUBLIC l3d_point_light {
-    l3d_vector<double, 3> position{0.0, 0.0, 0.0}; ///< world space
+    l3d_vector<double, 3> position{0.0, 0.0, 0.0}; ///< the light's place, world space
     /// The distance at which the light is as bright as its colour; 0: it is so at every distance.
     float reach = 0;
-    l3d_light_color color{1, 1, 1}; ///< brightness at the distance `reach`
+    l3d_light_color color{1, 1, 1}; ///< the light's brightness at the distance `reach`
 
     /// The factor by which the light's colour is multiplied at a place, at most `brightest`.
     /// Units: `square` is the square of the distance from the light.
@@ -67,13 +67,13 @@ struct L3D_PUBLIC l3d_lighting {
     l3d_light_color color{1, 1, 1};
     /// The far lights besides the first; `count` of them are used.
     std::array<l3d_far_light, most_further> lights{};
-    std::size_t count = 0; ///< at most most_further
+    std::size_t count = 0; ///< the number of far lights besides the first; at most most_further
     /// The lights at places; `point_count` of them are used.
     std::array<l3d_point_light, most_points> points{};
-    std::size_t point_count = 0; ///< at most most_points
+    std::size_t point_count = 0; ///< the number of lights at places; at most most_points
 
-    /// Adds a far light.
-    /// Expects: a direction in the world, of any length but 0; count < most_further.
+    /// Adds a far light: `towards` is the direction to the light, `of` its colour.
+    /// Expects: a direction in world space, of any length but 0; count < most_further.
     void add(const l3d_vector<double, 3>& towards, const l3d_light_color& of) {
         const l3d_vector<double, 3> unit = l3d_normalized(towards);
         lights[count++] = {

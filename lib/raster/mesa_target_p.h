@@ -17,11 +17,12 @@ namespace l3d_detail {
 
 /// The framebuffer object of a GL context, with a program that draws triangles into it.
 ///
-/// Row 0 of the picture is row 0 in GL, so pictures are never flipped. Where GL says left and top
-/// of a triangle, it is left and top in the picture. The viewport extends `reach` pixels to all
-/// sides of the picture's middle, whatever its size. So positions on the lattice of 1/256 pixel
+/// Row 0 of the picture is row 0 in GL, so pictures are never flipped. A triangle's left and top
+/// sides in GL are its left and top sides in the picture. The viewport extends `reach` pixels to
+/// all sides of the picture's middle, whatever its size. So positions on the lattice of 1/256 pixel
 /// stay exact: in clip space they are multiples of 2^-21 and at most 1.
-/// Cost:    every call has locks and checks; batches of thousands of triangles hide that.
+/// Cost:    every call of GL takes locks and makes checks; batches of thousands of triangles hide
+///          this cost.
 class mesa_target {
 public:
     /// Half the width of the viewport, in pixels; llvmpipe's largest viewport is 2^14 wide.
@@ -56,11 +57,12 @@ public:
     void upload(const l3d_pixels& pixels);
     void download(const l3d_pixels& pixels);
 
-    /// Empties picture and depth.
-    /// Expects: surfaces are drawn with an alpha of 0, so that another alpha marks an empty pixel.
-    ///          On black, that makes no difference.
+    /// Empties the picture and the depth before surfaces are drawn.
+    /// Expects: surfaces are drawn with an alpha of 0, as empty pixels are marked by another alpha.
+    ///          On a black background, empty pixels need no mark.
     void clear(const l3d_background& background);
-    /// Copies the picture that was drawn since clear() to pixels in memory.
+    /// Copies the picture that was drawn since clear() to pixels in memory. Empty pixels get the
+    /// background.
     void download(const l3d_pixels& pixels, const l3d_background& background);
 
     /// Copies the depth to memory. GL keeps it as inv_w * depth_scale. Expects: with_depth.

@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <vector>
 
-/// A bit for each pixel of a picture.
+/// Marks pixels of a picture: a bit for each pixel.
 ///
 /// Shape: rows of whole words, 64 pixels each. Threads may change different rows at the same time.
 /// Cost:  allocates only when a picture is larger than ever before.
@@ -54,7 +54,8 @@ public:
         return (row(y)[word_of(x)] >> bit_of(x) & 1) != 0;
     }
 
-    /// The bits of columns [left, right) that are in the word with index `word` of a row.
+    /// The mask of those columns of [left, right) that one word of a row holds: the word with index
+    /// `word`.
     static std::uint64_t within(std::int32_t word, std::int32_t left, std::int32_t right) {
         const std::int32_t begin = std::max(left - word * word_pixels, 0);
         const std::int32_t end = std::min(right - word * word_pixels, word_pixels);
@@ -66,7 +67,7 @@ public:
 
     /// Sets the bits of columns [left, right) of a row; has_all() tells whether all of them are
     /// set.
-    /// Expects: these columns are in the picture, and there is at least one.
+    /// Expects: these columns are in the picture, and there is at least one column.
     void set_all(std::int32_t y, std::int32_t left, std::int32_t right) {
         for (std::int32_t word = left / word_pixels; word * word_pixels < right; ++word)
             row(y)[word] |= within(word, left, right);

@@ -43,8 +43,8 @@ constexpr l3d_pixel_centres<std::int32_t> l3d_centres_in(std::int32_t low, std::
     return {l3d_detail::first_centre(low), l3d_detail::first_centre(high + 1) - 1};
 }
 
-/// The pixels whose centres lie in [low, high). By the fill rule, these belong to a polygon from
-/// low to high.
+/// The pixels whose centres lie in [low, high). By the fill rule, these pixels belong to a polygon
+/// from low to high.
 /// Units: 1/256 pixel.
 constexpr l3d_pixel_centres<std::int32_t> l3d_centres_filled(std::int32_t low, std::int32_t high) {
     return {l3d_detail::first_centre(low), l3d_detail::first_centre(high) - 1};

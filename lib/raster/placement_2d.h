@@ -12,9 +12,9 @@
 /// An affine map of the plane: the point (x, y) goes to origin + x across + y down.
 /// Units:   pixels, y down, as in l3d_rasterizer_2d.
 struct L3D_PUBLIC l3d_placement_2d {
-    l3d_point_2d origin{};     ///< image of (0, 0)
-    l3d_point_2d across{1, 0}; ///< image of a step of 1 to the right
-    l3d_point_2d down{0, 1};   ///< image of a step of 1 downwards
+    l3d_point_2d origin{};     ///< the point to which (0, 0) goes
+    l3d_point_2d across{1, 0}; ///< the step into which a step of 1 to the right is turned
+    l3d_point_2d down{0, 1};   ///< the step into which a step of 1 downwards is turned
 
     /// A placement that only moves.
     static l3d_placement_2d moved(double x, double y) { return {{x, y}, {1, 0}, {0, 1}}; }
@@ -53,7 +53,7 @@ struct L3D_PUBLIC l3d_placement_2d {
         return {{left + (x - 1) / 2, top + (y - 1) / 2}, {x, 0}, {0, y}};
     }
 
-    /// The point to which a point is moved.
+    /// The point to which this placement moves p.
     l3d_point_2d at(l3d_point_2d p) const {
         return {origin.x + (p.x * across.x + p.y * down.x),
                 origin.y + (p.x * across.y + p.y * down.y)};
@@ -78,11 +78,11 @@ struct L3D_PUBLIC l3d_placement_2d {
 
 /// The way in which a pixel gets its colour from an image.
 enum class L3D_PUBLIC l3d_image_filter {
-    /// The colour of the image's pixel whose square contains the sample: hard edges, no new
-    /// colours. A sample on a side belongs to the pixel to its right or below.
+    /// The colour of the image's pixel whose square contains the sample. Edges stay hard, and no
+    /// new colours appear. A sample on a side belongs to the pixel to its right or below.
     nearest,
     /// Bilinear interpolation between the image's four pixels around the sample. An enlarged image
-    /// becomes smooth; when an image shrinks, pixels in between are lost.
+    /// becomes smooth; when an image shrinks, some of its pixels are skipped.
     linear,
     /// The exact mean over the pixel's square, where each pixel of the image is a square of one
     /// colour. Nothing is lost when an image shrinks; an enlarged image shows squares with smooth
@@ -93,10 +93,12 @@ enum class L3D_PUBLIC l3d_image_filter {
 /// An image and its place in the picture. The image's pixel (i, j) is a square around (i, j), as in
 /// l3d_rasterizer_2d. So the default placement draws it into the picture's top left corner.
 struct L3D_PUBLIC l3d_placed_image {
-    l3d_pixels pixels;                                ///< the image; borrowed while drawing
-    l3d_placement_2d place{};                         ///< place of the image in the picture
-    l3d_image_filter filter = l3d_image_filter::area; ///< the way to find a pixel's colour
-    bool transparent = false; ///< whether the words' highest byte tells how transparent they are
+    l3d_pixels pixels;        ///< the image; borrowed while drawing
+    l3d_placement_2d place{}; ///< place of the image in the picture
+    /// The way in which a pixel gets its colour from the image.
+    l3d_image_filter filter = l3d_image_filter::area;
+    /// Whether the highest byte of the image's words tells how transparent its pixels are.
+    bool transparent = false;
 };
 
 #endif

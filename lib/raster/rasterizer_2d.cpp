@@ -22,7 +22,7 @@ constexpr l3d_size largest{l3d_largest_side, l3d_largest_side};
 } // namespace
 
 /// Draws a box by a polygon. A pixel whose sample is on the left or top edge belongs to the
-/// polygon; one on the right or bottom edge does not.
+/// polygon; a pixel on the right or bottom edge does not.
 void l3d_rasterizer_2d::draw_box(const l3d_pixel_box& box, std::uint32_t color) {
     if (box.empty())
         return;

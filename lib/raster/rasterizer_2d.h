@@ -16,7 +16,7 @@ class l3d_path;
 struct l3d_mesh_patch;
 struct l3d_placed_image;
 
-/// A corner of a polygon.
+/// A point of the plane, such as a corner of a polygon.
 ///
 /// Pixel (x, y) is sampled at (x, y), and is the square from (x - 1/2, y - 1/2) to
 /// (x + 1/2, y + 1/2). So the whole picture lies between (-1/2, -1/2) and
@@ -27,16 +27,16 @@ struct L3D_PUBLIC l3d_point_2d {
     double x = 0, y = 0;
 };
 
-/// A corner with a colour of its own.
+/// A corner of a Gouraud-shaded polygon, with a colour of its own.
 struct L3D_PUBLIC l3d_colored_point_2d {
     /// The corner's place, in pixels. (0, 0) is the centre of the top left pixel.
     double x = 0, y = 0;
-    l3d_color color = 0; ///< pixel word, 0x00RRGGBB
+    l3d_color color = 0; ///< the corner's colour, a pixel word 0x00RRGGBB
 };
 
 /// A line between two pixels.
 struct L3D_PUBLIC l3d_line_2d {
-    /// Columns and rows of both ends, which are drawn, too.
+    /// The columns and rows of both ends. The pixels at the ends are drawn, too.
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
@@ -46,10 +46,11 @@ struct L3D_PUBLIC l3d_line_2d {
 ///        row.
 /// Lives: borrows the values.
 struct L3D_PUBLIC l3d_coverage_2d {
-    /// The first column and row, and the numbers of columns and rows, which are not negative.
+    /// The rectangle's first column and row, and its numbers of columns and rows, which are not
+    /// negative.
     int left = 0, top = 0, width = 0, height = 0;
-    const std::uint8_t* values = nullptr; ///< values of the first row
-    std::ptrdiff_t pitch = 0;             ///< distance from one row to the next
+    const std::uint8_t* values = nullptr; ///< the values of the first row
+    std::ptrdiff_t pitch = 0; ///< distance from one row of values to the next, in values
 
     /// Row i of the shape. Expects: 0 <= i < height.
     std::span<const std::uint8_t> row(int i) const {
@@ -60,25 +61,25 @@ struct L3D_PUBLIC l3d_coverage_2d {
 /// The closed outline of an area: corners in order, the last one joined to the first.
 using l3d_outline_2d = std::span<const l3d_point_2d>;
 
-/// The fill rule: which points are inside of outlines that cross themselves or each other. It
+/// The fill rule: which points are inside of outlines that cross themselves or each other. The rule
 /// depends on a point's winding number: how often the outlines wind around it, clockwise less
 /// anticlockwise.
 enum class L3D_PUBLIC l3d_winding {
-    nonzero, ///< inside if the winding number is not zero
-    even_odd ///< inside if the winding number is odd
+    nonzero, ///< a point is inside if its winding number is not zero
+    even_odd ///< a point is inside if its winding number is odd
 };
 
 /// The kind of numbers in which two colours are mixed.
 enum class L3D_PUBLIC l3d_blending {
-    coded, ///< numbers of pixel words: fast, and usual in most programs
-    /// Amounts of light, by the sRGB curve, as colours mix for an eye too far away to tell them
+    coded, ///< the levels in pixel words as they are: fast, and usual in most programs
+    /// Amounts of light, by the sRGB curve. So colours mix as for an eye too far away to tell them
     /// apart. Thin bright lines keep their light on a dark ground.
     linear
 };
 
 /// The way in which the area inside of a path is filled.
 struct L3D_PUBLIC l3d_fill {
-    l3d_color color = 0x00ffffff; ///< 0x00RRGGBB
+    l3d_color color = 0x00ffffff; ///< the colour, 0x00RRGGBB
     /// Colours that change from place to place, used instead of `color`. Null: `color` is used.
     /// Lives: borrowed while drawing.
     const l3d_gradient* gradient = nullptr;
@@ -153,7 +154,7 @@ public:
     /// Makes a rasterizer that draws with this implementation. Lives: borrows it.
     explicit l3d_rasterizer_2d(l3d_rasterizer_2d_imp& imp) : imp_(imp) {}
 
-    /// Sets every pixel to this word, by default to black.
+    /// Sets every pixel to this colour, by default to black.
     void clear_buffer(l3d_color color = 0) { imp_.do_clear_buffer(color); }
 
     /// Fills the whole pixels of a box, and touches no others.
@@ -170,7 +171,7 @@ public:
         imp_.do_draw_line(x0, y0, x1, y1, color);
     }
 
-    /// Draws many lines in one call of the implementation.
+    /// Draws many lines in one call of the implementation, which costs less than a call for each.
     void draw_lines(std::span<const l3d_line_2d> lines, l3d_color color) {
         imp_.do_draw_lines(lines, color);
     }
@@ -222,8 +223,8 @@ public:
     }
 
     /// Moves each pixel's red, green and blue towards the colour's by coverage / 255, rounded to
-    /// the nearest level. It draws text with smooth edges, and panels that let the picture shine
-    /// through.
+    /// the nearest level. Use it for text with smooth edges, and for panels that let the picture
+    /// shine through.
     ///
     /// In a picture without background, covered pixels become less transparent; with GL, they stay
     /// as transparent as they were.
@@ -236,17 +237,17 @@ public:
     ///
     /// Pixel (x, y) is the square from (x - 1/2, y - 1/2) to (x + 1/2, y + 1/2). Coverage is exact
     /// even where outlines cross or lie upon each other, with two exceptions. Curves are drawn
-    /// within l3d_flat_enough, and coverage times alpha is rounded to a multiple of 1/255. So a
-    /// path of lines is within 1/510, up to the rounding of doubles. Positions are not rounded to a
-    /// lattice. Nothing is drawn if a coordinate is not a number; coordinates beyond +-2^30 are
-    /// clamped to it.
+    /// within l3d_flat_enough, and coverage times alpha is rounded to a multiple of 1/255. So the
+    /// coverage of a path of lines is within 1/510, up to the rounding of doubles. Positions are
+    /// not rounded to a lattice. Nothing is drawn if a coordinate is not a number; coordinates
+    /// beyond +-2^30 are clamped to it.
     ///
     /// In a picture without background, colours are weighted by their coverage. In linear light,
     /// the rounded coverage moves the light of each channel, and the level nearest to the result is
     /// stored. Near black, a step of 1/255 in coverage is then up to 13 levels.
     /// Expects: alpha in [0, 1].
     /// Cost:    linear in the rows that edges reach and the pixels that are covered. Where n edges
-    ///          share pixels and cross each other m times, log n (n + m).
+    ///          share pixels and cross each other m times, the cost is (n + m) log n.
     void draw_path(const l3d_path& path, const l3d_fill& fill) { imp_.do_draw_path(path, fill); }
 
     /// Draws a placed image over the picture.
@@ -266,27 +267,27 @@ public:
     /// Draws the lines and curves of a path one pixel wide, with hard edges.
     ///
     /// Within the picture, the pixels form eight-connected runs. From each pixel's sample, some
-    /// point of the curve is within 1/2 + 2^-20 in x and in y. From each point of the curve, some
-    /// sample of these is within 3/2 in x and in y. Pixels are drawn in the order of the curve, and
-    /// those at the corner of a right angle are left out. Clipping changes no pixel inside of the
-    /// picture.
+    /// point of the curve is within 1/2 + 2^-20 in x and in y. From each point of the curve, the
+    /// sample of some drawn pixel is within 3/2 in x and in y. Pixels are drawn in the order of the
+    /// curve, and the pixel in the corner of a right angle is left out. Clipping changes no pixel
+    /// inside of the picture.
     /// Cost:    some additions for each pixel, by adaptive forward differences.
     void draw_curves(const l3d_path& path, l3d_color color) { imp_.do_draw_curves(path, color); }
 
     /// Fills patches one after another, with colours interpolated between their corners.
     ///
     /// Where a patch folds over itself, the larger v is seen, and for equal v the larger u, as the
-    /// PDF standard has it. A pixel's colour occurs in the patch at most 1/16 pixel from its
-    /// sample, and is within 1/2 + 1/32 levels. Corners are rounded to 1/256 pixel. (Outputs that
+    /// PDF standard has it. Somewhere at most 1/16 pixel from a pixel's sample, the patch has the
+    /// pixel's colour within 1/2 + 1/32 levels. Corners are rounded to 1/256 pixel. (Outputs that
     /// have only Gouraud-shaded triangles also round the colours of triangles' corners.)
     ///
     /// Patches of one call that share a border leave no crack and no double hit there. Patches with
     /// coordinates that are not finite are left out.
     /// Cost:    each quarter of a patch, along u or v, is diced as finely as its worst place needs.
-    ///          So are neighbours across common borders. A patch has at most 512 x 512 quads. This
-    ///          suffices for the 1/16 pixel if borders are like quarters of circles with radii up
-    ///          to 4 10^4 pixels. Beyond, the error grows in proportion: 1.3 pixels for a radius of
-    ///          10^6.
+    ///          Neighbours across a common border get the same steps along it. A patch has at most
+    ///          512 x 512 quads. These suffice for the 1/16 pixel if borders are like quarters of
+    ///          circles with radii up to 4 10^4 pixels. For larger radii, the error grows in
+    ///          proportion: 1.3 pixels for a radius of 10^6.
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
     /// Completes the picture: afterwards, the target's pixels hold everything drawn so far. Call it
@@ -302,7 +303,7 @@ private:
 /// Units:   pixels, y down.
 /// Source:  Cohen, Sutherland; in Newman, Sproull: Principles of Interactive Computer Graphics.
 struct L3D_PUBLIC l3d_clip_region {
-    /// The box's corners, top left and bottom right; both belong to it.
+    /// The box's corners, top left and bottom right; both corners belong to the box.
     l3d_point_2d least{}, most{};
 
     /// The bits of outcode() for the sides of the box.

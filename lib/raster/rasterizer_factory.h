@@ -49,17 +49,17 @@ private:
     do_create_surface(l3d_workers& workers) const = 0;
 };
 
-/// The edges that lines and polygons of one colour get.
+/// Whether lines and polygons of one colour get hard or smooth edges.
 enum class L3D_PUBLIC l3d_edges {
-    hard,  ///< edges at whole pixels, as l3d_rasterizer_2d says
-    smooth ///< edges of paths and smooth lines, whatever call draws them
+    hard,  ///< each pixel is coloured wholly or not at all, as l3d_rasterizer_2d says
+    smooth ///< drawn as by draw_path and draw_line_antialiased, whatever call draws them
 };
 
-/// Makes rasterizers that use the processors. They serve every screen, as all have pixels in
-/// memory.
+/// Makes rasterizers that use the processors. They serve every screen, as every screen has pixels
+/// in memory.
 class L3D_PUBLIC l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
 public:
-    /// Takes the edges of its two-dimensional rasterizers.
+    /// Makes a factory whose two-dimensional rasterizers draw these edges.
     explicit l3d_rasterizer_factory_sw(l3d_edges edges = l3d_edges::hard) : edges_(edges) {}
 
 private:
@@ -76,7 +76,7 @@ private:
 /// GL's picture is copied to the screen's pixels. A rasterizer belongs to the thread that made it.
 class L3D_PUBLIC l3d_rasterizer_factory_mesa final : public l3d_rasterizer_factory {
 public:
-    /// Takes the name of the GL library: auto, egl or osmesa. An empty name takes the one in the
+    /// Takes the name of the GL library: auto, egl or osmesa. An empty name takes the name in the
     /// environment variable L3D_MESA. `auto` tries EGL first.
     explicit l3d_rasterizer_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
 
@@ -99,11 +99,12 @@ private:
 /// Expects: neither is null.
 /// Lives:   owns the screen, shares the factory.
 struct L3D_PUBLIC l3d_canvas {
-    std::unique_ptr<l3d_screen> screen; ///< shows the pictures; its pixels are drawn into
-    /// makes rasterizers for the screen's pixels
+    std::unique_ptr<l3d_screen> screen; ///< shows the pictures; rasterizers draw into its pixels
+    /// Makes rasterizers for the screen's pixels.
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers;
     l3d_font font{}; ///< the letters of panels and status lines
-    /// Whether lessons look as in the book: hard edges, letters made of dots, a black ground.
+    /// Whether lessons look as in the book that they come from: with hard edges, letters made of
+    /// dots and a black ground.
     bool is_classic = false;
 };
 
@@ -114,11 +115,11 @@ struct L3D_PUBLIC l3d_canvas {
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(l3d_size size);
 
 /// Makes a canvas of the caller's memory, such as an image that a toolkit shows. Pictures are drawn
-/// directly into these words.
+/// directly into this memory.
 /// Expects: as l3d_screen_memory.
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(const l3d_pixels& words);
 
-/// Makes a canvas of the caller's memory in another layout. It holds the picture after
+/// Makes a canvas of the caller's memory in another layout. The memory holds the picture after
 /// `screen().show()`.
 /// Expects: as l3d_screen_memory.
 L3D_PUBLIC l3d_canvas l3d_memory_canvas(const l3d_packed_pixels& packed);

@@ -30,21 +30,22 @@ enum class L3D_PUBLIC l3d_shade {
     flat,
     /// Each pixel shows its normal: red, green and blue are round(255 (n + 1) / 2).
     normals,
-    /// Each part has one colour, its `error_color`, which shows the known bound of its error.
+    /// Each l3d_surface_part has one colour, its `error_color`. The caller chooses this colour by
+    /// the bound of the part's error.
     error,
 
     // The next five take the patch's exact derivatives at each pixel; l3d_inspection describes
     // them.
 
-    /// Stripes of reflected rays.
+    /// Stripes that show the direction of the reflected ray; see l3d_inspection.
     zebra,
-    /// Stripes of equal light.
+    /// Stripes of equal angles between the normal and the light; see l3d_inspection.
     isophotes,
-    /// A colour scale of Gaussian curvature.
+    /// Gaussian curvature on a colour scale; see l3d_inspection.
     gaussian,
-    /// A colour scale of mean curvature.
+    /// Mean curvature on a colour scale; see l3d_inspection.
     mean,
-    /// A colour scale of the angle between the surface and a direction.
+    /// The angle between the surface and a direction, on a colour scale; see l3d_inspection.
     draft,
 
     /// The program's function, l3d_own_shade, colours each pixel by its exact place on its patch.
@@ -57,7 +58,7 @@ enum class L3D_PUBLIC l3d_shade {
     levels,
 };
 
-/// The names of the shades that users can choose, in the order of their values.
+/// The names of the shades that users can choose, in the order of l3d_shade.
 inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_names{
     {{"lambert", l3d_shade::lambert},
      {"gouraud", l3d_shade::gouraud},
@@ -70,7 +71,7 @@ inline constexpr std::array<std::pair<const char*, l3d_shade>, 10> l3d_shade_nam
      {"mean", l3d_shade::mean},
      {"draft", l3d_shade::draft}}};
 
-/// The number of shades, from the first on, that need normals and nothing else.
+/// The number of shades, from the first on, that need the vertices' normals and nothing else.
 inline constexpr std::size_t l3d_shades_of_normals = 4;
 
 /// Whether a shade inspects a surface by the exact derivatives of patches.
@@ -78,7 +79,7 @@ constexpr bool l3d_is_inspection(l3d_shade shade) {
     return shade >= l3d_shade::zebra && shade <= l3d_shade::draft;
 }
 
-/// Whether a shade takes exact patches.
+/// Whether a shade finds each pixel's exact place on its patch, and so needs exact patches.
 constexpr bool l3d_sees_patches(l3d_shade shade) {
     return l3d_is_inspection(shade) || shade == l3d_shade::own;
 }
@@ -88,15 +89,16 @@ constexpr bool l3d_is_light(l3d_shade shade) {
     return shade != l3d_shade::normals && shade != l3d_shade::error && !l3d_sees_patches(shade);
 }
 
-/// Whether a shade's colours are those of a scale, which fog would falsify.
+/// Whether a shade's colours stand for numbers. Fog would falsify such colours.
 constexpr bool l3d_has_scale(l3d_shade shade) {
     return shade == l3d_shade::error || l3d_is_inspection(shade);
 }
 
-/// The place of a patch that is seen in a pixel. Places and directions are in world space.
+/// The place of a patch that is seen at a place of the picture, for l3d_own_shade. Places and
+/// directions are in world space.
 struct L3D_PUBLIC l3d_seen_place {
     double x = 0, y = 0; ///< place in the picture, from its top left corner, in pixels
-    double u = 0, v = 0; ///< the patch's parameters there
+    double u = 0, v = 0; ///< the patch's parameters at that place
     l3d_vector<double, 3> point{0.0, 0.0, 0.0}; ///< the exact point of the patch
     /// The unit normal, turned to the eye; 0 where the patch has none.
     l3d_vector<double, 3> normal{0.0, 0.0, 0.0};
@@ -129,7 +131,7 @@ struct L3D_PUBLIC l3d_own_shade {
 /// - `gaussian`, `mean`: curvature, from blue (negative) over white (0) to red. Mean curvature is
 ///   positive where the surface bends towards n, as a bowl that is seen from above.
 /// - `draft`: the angle between the surface and `direction`, from red (negative) over yellow (0) to
-///   green. It is positive where n goes along `direction`.
+///   green. The angle is positive where n goes along `direction`.
 struct L3D_PUBLIC l3d_inspection {
     /// The direction from which `zebra` and `draft` measure angles. World space, any length but 0.
     l3d_vector<double, 3> direction{0.0, 1.0, 0.0};
@@ -155,9 +157,9 @@ struct L3D_PUBLIC l3d_inspection {
 L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale);
 
 /// The pixel word of a square with stripes: the mean over the square, in which the angle changes
-/// linearly. An angle beyond 0 or 180 degrees counts as mirrored there.
-/// Units: all in degrees: the angle in the middle, its changes along both sides of the square, the
-///        width of a stripe.
+/// linearly. `across` and `down` are its changes along the square's sides. An angle beyond 0 or 180
+/// degrees counts as mirrored there.
+/// Units: all in degrees: the angle in the square's middle, its changes, and the width of a stripe.
 /// Expects: a positive stripe; changes of at least 0.
 L3D_PUBLIC l3d_color l3d_stripe_color(double angle, double across, double down, double stripe);
 

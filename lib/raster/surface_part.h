@@ -18,7 +18,7 @@
 /// The number of fraction bits in the place of every surface vertex. Products of two coordinate
 /// differences of a 64-pixel quad then fit 32 bits (2 * (6 + 8) + 2 sign and sum bits = 30).
 inline constexpr int l3d_subpixel_bits = 8;
-/// One pixel, in units of these places.
+/// One pixel, in the units of a surface vertex's place.
 inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 
 /// A vertex of a surface.
@@ -26,12 +26,13 @@ inline constexpr std::int32_t l3d_subpixel_one = 1 << l3d_subpixel_bits;
 /// Units: x, y in 1/256 pixel from the top left corner of the picture, |x|, |y| <= 2^23.
 ///        inv_w = 1 / distance along the view axis, in 1 / world units, > 0.
 ///        normal = the direction of dS/du x dS/dv in world space, not yet turned to the eye: a
-///        unit vector, or zero. Fast fills rely on that.
+///        unit vector, or zero. Fast fills rely on unit normals.
 ///
 /// In frames of mode l3d_shade::levels the three numbers of `normal` have other meanings.
 /// - [0] is the level 229.5 n.l, n turned to the eye. (The grey is round(25.5 + max(0, level)).)
-/// - [1] and [2] are bends of sides: a side's level in its middle less the mean of its ends. In a
-///   grid these are the sides to the next vertices along u and v.
+/// - [1] and [2] are bends of sides. A bend is the level in a side's middle, less the mean of the
+///   levels at its ends. In a grid, the bends belong to the sides to the next vertices along u and
+///   v.
 /// - In a triangle, corner 0 has the bends of the sides to corners 1 and 2. Corner 1 has 0 in [1],
 ///   and the bend of the side to corner 2 in [2]. Corner 2 has 0 in both.
 struct L3D_PUBLIC l3d_micro_vertex {
@@ -52,19 +53,20 @@ struct L3D_PUBLIC l3d_micro_grid {
     int columns = 0, rows = 0, pitch = 0;
     /// The places of all vertices in the picture. Units: 1/256 pixel.
     std::vector<std::int32_t> x, y;
-    std::vector<float> inv_w;     ///< 1 / distance, of all vertices
+    std::vector<float> inv_w;     ///< 1 / distance along the view axis, of all vertices
     std::vector<float> normal[3]; ///< the normals' components, of all vertices
 
     /// Whether the picture shows both sides of the surface. Normals, or levels and bends, belong to
     /// the side to which dS/du x dS/dv points. A quad (or a piece of a folded quad) that turns to
-    /// the right in the picture shows the other side. Its light has the other sign.
+    /// the right in the picture shows the other side, and its light has the other sign.
     bool shows_both = false;
 
-    /// Whether the projection is parallel. Then w is the same everywhere, whatever inv_w is.
+    /// Whether the projection is parallel. In a parallel projection, w is the same everywhere,
+    /// whatever inv_w is.
     bool is_parallel = false;
 
-    /// The quads that are not drawn, since triangles replace them. Each is the index() of its first
-    /// corner, in rising order.
+    /// The quads that are not drawn, since triangles replace them. A quad is named by the index()
+    /// of its first corner, in rising order.
     std::vector<std::uint32_t> cut;
 
     /// Whether a quad is in `cut`. Expects: the index of its first corner.
@@ -96,9 +98,9 @@ struct L3D_PUBLIC l3d_micro_grid {
                static_cast<std::size_t>(column);
     }
 
-    /// All numbers of a vertex. Expects: a row and a column of the grid.
+    /// The place, inv_w and normal of a vertex. Expects: a row and a column of the grid.
     l3d_micro_vertex vertex(int row, int column) const { return vertex(index(row, column)); }
-    /// All numbers of the vertex at an index.
+    /// The place, inv_w and normal of the vertex at an index.
     l3d_micro_vertex vertex(std::size_t i) const {
         return {x[i], y[i], inv_w[i], {normal[0][i], normal[1][i], normal[2][i]}};
     }
@@ -112,9 +114,9 @@ struct L3D_PUBLIC l3d_micro_grid {
 ///        mostly in one page of memory, which suits walks from block to block in any order.
 /// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
 struct L3D_PUBLIC l3d_micro_triangles {
-    static constexpr std::size_t lanes = 16; ///< triangles in a block
+    static constexpr std::size_t lanes = 16; ///< the number of triangles in a block
 
-    /// One corner of all triangles of a block; the components are those of l3d_micro_vertex.
+    /// One corner of all triangles of a block; its components are those of l3d_micro_vertex.
     struct alignas(64) corner {
         /// Places in the picture. Units: 1/256 pixel.
         std::array<std::int32_t, lanes> x, y;
@@ -158,9 +160,10 @@ struct L3D_PUBLIC l3d_micro_triangles {
             grow(count + more);
     }
 
-    /// Corner number `at` of all triangles in a triangle's block. Expects: room for it; at < 3.
+    /// Corner number `at` of all triangles in a triangle's block. Expects: room for the triangle;
+    /// at < 3.
     corner& corners(std::size_t triangle, std::size_t at) { return blocks[triangle / lanes][at]; }
-    /// Corner number `at` of all triangles in a triangle's block, for reading.
+    /// Corner number `at` of all triangles in a triangle's block, which the caller may only read.
     const corner& corners(std::size_t triangle, std::size_t at) const {
         return blocks[triangle / lanes][at];
     }
@@ -172,8 +175,8 @@ struct L3D_PUBLIC l3d_micro_triangles {
         return {c.x[i], c.y[i], c.inv_w[i], {c.normal[0][i], c.normal[1][i], c.normal[2][i]}};
     }
 
-    /// Twice the area of a triangle in the picture, positive if its corners turn to the right
-    /// there.
+    /// Twice the area of a triangle in the picture, positive if its corners turn to the right in
+    /// the picture.
     /// Units: 1/65536 square pixel.
     /// Expects: triangle < count.
     std::int64_t double_area(std::size_t triangle) const {
@@ -207,17 +210,19 @@ struct L3D_PUBLIC l3d_block_starts {
     static constexpr int most_blocks = 4;
     /// The number of blocks.
     int blocks = 1;
-    /// The first row or column of quads in each block; the last entry is the number of all of them.
+    /// The first row or column of quads in each block; the entry after the last block is the number
+    /// of all rows or columns.
     std::array<int, most_blocks + 1> first{};
 };
 
 /// A straight piece of the border of a surface's grid, or a side of a loose triangle.
 ///
 /// Units: as l3d_micro_vertex. Seen in the picture, the quad beside the line is on its right if the
-///        quad's corners p00 p10 p11 p01 turn to the right there. The same holds for a triangle's
-///        side, which goes from a corner to the next one.
+///        quad's corners p00 p10 p11 p01 turn to the right. The same holds for a triangle's side,
+///        which goes from a corner to the next one.
 struct L3D_PUBLIC l3d_border_edge {
-    /// The line between two vertices, without a level. The caller sets what lies beside it.
+    /// The line between two vertices, without a level of light. The caller sets the members that
+    /// tell what lies beside the line.
     static l3d_border_edge between(const l3d_micro_vertex& from, const l3d_micro_vertex& to) {
         l3d_border_edge edge;
         edge.from_x = from.x;
@@ -246,7 +251,7 @@ struct L3D_PUBLIC l3d_border_edge {
     float level = 0;
     /// The grid's row of the quad beside the line; 0 for a triangle's side.
     int row = 0;
-    /// The grid's column of that quad, or the triangle's number.
+    /// The grid's column of the quad beside the line, or the triangle's number.
     int column = 0;
     /// The number of the quad's side: 0 is p00 to p10, then p10 to p11, p11 to p01, p01 to p00. For
     /// a triangle, the number of the corner at which the side begins.
@@ -255,11 +260,11 @@ struct L3D_PUBLIC l3d_border_edge {
     /// cut off there.
     bool always = false;
 
-    /// The larger inv_w of its ends, which belongs to the nearer end.
+    /// The larger inv_w of the line's ends, which belongs to the nearer end.
     float nearest() const { return std::max(from_inv_w, to_inv_w); }
 };
 
-/// A part of a surface: a grid of micro-quads and loose triangles, drawn together.
+/// A part of a surface: a grid of micro-quads and loose triangles, which are filled together.
 ///
 /// Shape:   the grid may be empty (rows < 2); triangles may be none.
 /// Expects: blocks in order, the last of block_rows (block_columns) ending with the grid's last row
@@ -274,15 +279,16 @@ struct L3D_PUBLIC l3d_surface_part {
     /// Triangles that belong to no grid.
     l3d_micro_triangles triangles;
     /// The lines at which the surface ends or continues in another part, for anti-aliasing. Where
-    /// some are missing, pixels are drawn in a slower way, and shapes thinner than a pixel may be
-    /// missed. In a part without a grid, these are the sides of its triangles, in their order.
+    /// some lines are missing, pixels are drawn in a slower way, and shapes thinner than a pixel
+    /// may be missed. In a part without a grid, the lines are the sides of its triangles, in the
+    /// triangles' order.
     std::vector<l3d_border_edge> border;
     /// The blocks of the grid that need not be drawn: bit 4 * row + column is set for each.
     unsigned unseen = 0;
     /// The colour of the whole part in mode `error`, a pixel word.
     l3d_color error_color = 0;
     /// The part's material, an index of l3d_surface_rasterizer::use_materials. Triangles may have
-    /// their own.
+    /// materials of their own.
     std::uint32_t material = 0;
     /// Whether each quad of the grid has a material of its own: the sum of `material` and the index
     /// of the quad's first corner.

@@ -22,7 +22,7 @@
 
 /// The way in which the surfaces of a frame get their colours.
 struct L3D_PUBLIC l3d_shading {
-    l3d_shade mode = l3d_shade::lambert; ///< how the colour of a pixel is found
+    l3d_shade mode = l3d_shade::lambert; ///< the way in which pixels get their colours
     std::array<float, 3> light{0, 0, 1}; ///< unit vector towards the light, world space
 
     /// The ray from the eye through the picture's top left corner, and its change for one pixel to
@@ -46,8 +46,8 @@ struct L3D_PUBLIC l3d_shading {
     /// (l3d_surface_rasterizer::inspects) draw fog.
     l3d_fog fog{};
 
-    /// The meaning of depths. They are 1 / distance if `depth_step` is 0. In a parallel projection
-    /// they are depth_base + depth_step * distance.
+    /// The meaning of depths in a depth buffer. They are 1 / distance if `depth_step` is 0. In a
+    /// parallel projection they are depth_base + depth_step * distance.
     /// Units: distances along the view axis.
     double depth_base = 0, depth_step = 0;
 
@@ -64,7 +64,7 @@ struct L3D_PUBLIC l3d_shading {
         return l3d_fog::word(word, fog_color, fog.amount(distance(depth)));
     }
 
-    l3d_lighting lighting{}; ///< colours of lights, and lights besides `light`
+    l3d_lighting lighting{}; ///< the colours of lights, and the lights besides `light`
 
     /// The ray from the eye to a place, as `ray`, but also set if normals are turned to the eye
     /// already.
@@ -81,8 +81,9 @@ struct L3D_PUBLIC l3d_shading {
     /// `inspected`, and vertices with the parameters u and v in the first two numbers of normals. A
     /// part's material is the index of its patch.
     l3d_inspection inspection{};
-    const l3d_inspected_patches* inspected = nullptr; ///< borrowed until the frame's finish
-    /// Function of l3d_shade::own; borrowed until the frame's finish.
+    /// The exact patches, for shades that need them; borrowed until the frame's finish.
+    const l3d_inspected_patches* inspected = nullptr;
+    /// The program's function, for l3d_shade::own; borrowed until the frame's finish.
     const l3d_own_shade* own = nullptr;
 
     /// Triangles that have colours of their own; borrowed until the frame's finish. Parts refer to
@@ -113,24 +114,27 @@ struct L3D_PUBLIC l3d_shading {
 /// Units: levels of 255.
 inline constexpr double l3d_most_level_error = 0.25;
 
-/// The largest error of interpolated normals that lit frames report: the length of the difference.
-/// Polygons with more are counted in `unproven_levels`.
+/// The largest error of interpolated normals that lit frames report. An error is the length of the
+/// difference from the exact normal. Polygons with more are counted in `unproven_levels`.
 inline constexpr double l3d_most_normal_error = 1.0 / 256;
 
-/// Counts of the work of one frame.
+/// Counts of the work of one frame, for reports and tests.
 struct L3D_PUBLIC l3d_surface_counts {
-    std::int64_t quads = 0; ///< micro-quads and triangles handed in
+    std::int64_t quads = 0; ///< micro-quads and triangles that were handed to draw()
     /// Pixel centres tested against the depth buffer. Blocks that are found hidden as a whole are
     /// not tested. So the number depends on how the work was divided, but not on the number of
     /// threads.
     std::int64_t samples = 0;
-    std::int64_t written = 0; ///< tested pixels that were nearer than the depth there
-    std::int64_t covered = 0; ///< pixels that show something; none_counted if nobody asked
+    /// Tested pixels whose surface was nearer than the depth in the buffer.
+    std::int64_t written = 0;
+    /// Pixels that show a surface; none_counted if count_pixels(false) was called.
+    std::int64_t covered = 0;
 
-    static constexpr std::int64_t none_counted = -1; ///< the value of `covered` if nobody asked
+    /// The value of `covered` if pixels were not counted.
+    static constexpr std::int64_t none_counted = -1;
 
-    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
-    /// as often as it was set up.
+    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each
+    /// polygon counts as often as it was set up.
     std::int64_t by_plane = 0;
 
     std::int64_t refined = 0; ///< pixels at edges, whose light is a mean over their squares
@@ -154,17 +158,19 @@ struct L3D_PUBLIC l3d_surface_counts {
     /// Units: levels; at most l3d_most_level_error.
     double level_error = 0;
     /// The largest error of normals in lit frames, compared with the normals that the corners'
-    /// normals give for the same parameters. It is at most l3d_most_normal_error. It leaves out a
-    /// quarter of the corners' deviation from one plane.
+    /// normals give for the same parameters. The error is at most l3d_most_normal_error. This
+    /// number leaves out a quarter of the corners' deviation from one plane.
     double normal_error = 0;
     /// Tested pixels whose exact place on their patch was not found, in shades that inspect a
-    /// surface. They show values interpolated between the drawn vertices.
+    /// surface. Such pixels show values interpolated between the drawn vertices.
     std::int64_t unsolved = 0;
-    std::int64_t unproven_levels =
-        0; ///< polygons whose errors exceed these limits, counted at each set-up
+    /// Polygons whose errors exceed l3d_most_level_error or l3d_most_normal_error, counted at each
+    /// set-up.
+    std::int64_t unproven_levels = 0;
 };
 
-/// A rectangle of the picture. Units: 1/256 pixel from its top left corner, ends included.
+/// A rectangle of the picture. Units: 1/256 pixel from the picture's top left corner, ends
+/// included.
 struct L3D_PUBLIC l3d_subpixel_box {
     /// The first and the last column and row.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
@@ -175,8 +181,8 @@ struct L3D_PUBLIC l3d_subpixel_box {
 /// A pixel belongs to a polygon if its centre (x + 1/2, y + 1/2) is inside, or on a left or top
 /// edge. Vertices are integers in 1/256 pixel, and the rule is evaluated exactly. So polygons that
 /// share an edge cover each pixel once: no gap, no double hit. Surfaces are two-sided: normals are
-/// turned to the eye. The nearer sample, with larger inv_w, is seen. Among equals, the choice is
-/// always the same.
+/// turned to the eye. The nearer sample, with larger inv_w, is seen. Among samples of equal inv_w,
+/// the choice is always the same.
 class L3D_PUBLIC l3d_surface_rasterizer {
 public:
     l3d_surface_rasterizer() = default;
@@ -197,7 +203,7 @@ public:
     bool inspects() const { return do_inspects(); }
 
     /// Starts a frame: the picture shows the background, and depth is 0. Each rasterizer decides
-    /// when it writes them to memory, at finish at the latest.
+    /// when it writes background and depth to memory, at finish at the latest.
     ///
     /// A null depth buffer is the fastest: depth is not kept, and a single call of draw makes the
     /// whole frame. A picture that is `untouched` since the last finish need not be cleared where
@@ -210,27 +216,29 @@ public:
         do_begin(target, depth, shading, untouched);
     }
 
-    /// Sets the materials of frames that are begun later. Parts name them by their index here. At
-    /// first, and if there are none, all surfaces are white. Shades that do not show light ignore
-    /// them.
+    /// Sets the materials of frames that are begun later. Parts name a material by its index in
+    /// `materials`. At first, and if there are none, all surfaces are white. Shades that do not
+    /// show light ignore them.
     /// Expects: at most most_materials, including those that the shading's paints name; parts name
     ///          none beyond the last.
     /// Lives:   until the frame's finish; the next frame needs the call again.
     void use_materials(std::span<const l3d_material> materials) { materials_ = materials; }
 
-    /// The most materials that a frame may have: their numbers share a word with levels.
+    /// The most materials that a frame may have: a material's number shares a pixel word with a
+    /// level of 8 bits.
     static constexpr std::size_t most_materials = std::size_t{1} << 24;
 
     /// Sets whether frames that are begun later count covered pixels; at first they do. Counting
-    /// takes some 2 % of a frame. With GL, it also decides about `samples` and `written`, each of
-    /// which takes drawing everything once more.
+    /// takes some 2 % of a frame. With GL, `samples` and `written` are counted only if wanted, too:
+    /// each takes drawing everything once more.
     void count_pixels(bool wanted) { counting_wanted_ = wanted; }
 
     /// Sets whether frames that are begun later leave a depth everywhere, 0 where nothing is drawn;
-    /// at first they do. If not, depth has no meaning after the frame.
+    /// at first they do. If not wanted, depth has no meaning after the frame.
     void leave_depth(bool wanted) { depth_wanted_ = wanted; }
 
-    /// Whether begin_part may be called: not if the picture is kept elsewhere and comes as a whole.
+    /// Whether begin_part may be called. It may not if the picture is kept outside of memory, as by
+    /// GL, and is copied as a whole.
     bool draws_parts() const { return do_draws_parts(); }
 
     /// Starts a frame that draws a part of a picture again and leaves the rest as it is.
@@ -246,7 +254,8 @@ public:
     }
 
     /// Fills the quads and triangles of the parts. A convex quad is one polygon, a folded one is
-    /// four triangles around its projective centre. It is fastest if the nearest parts come first.
+    /// four triangles around its projective centre. Drawing is fastest if the nearest parts come
+    /// first.
     /// Expects: called once a frame if there is no depth buffer.
     /// Lives:   with anti-aliasing, borrows the parts until finish.
     void draw(std::span<const l3d_surface_part* const> parts) { do_draw(parts); }

@@ -11,9 +11,9 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The thickness below which a polygon counts as a slit, whose slope says nothing about the
-/// surface. So slopes are limited: over this length, depth changes by at most the polygon's whole
-/// range. Units: pixels.
+/// The thickness below which a polygon counts as a slit, as its slope says nothing about the
+/// surface. Slopes are limited so that depth changes over this length by at most the polygon's
+/// whole range. Units: pixels.
 constexpr double thinnest = 0.25;
 
 /// The rounding of 1 / w. The division, the scale, the means of corners and the pixel's own value
@@ -68,7 +68,7 @@ void l3d_two_layer_depths::add(const l3d_surface_part& part, const l3d_sheet_pat
                      part.triangles.vertex(i, 2), owner + of_triangles);
 }
 
-/// Adds a quad as two triangles, which do not overlap unless it is folded.
+/// Adds a quad as two triangles, which do not overlap unless the quad is folded.
 void l3d_two_layer_depths::add_quad(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
                                     const l3d_micro_vertex& c, const l3d_micro_vertex& d,
                                     std::uint32_t owner) {
@@ -140,10 +140,10 @@ bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
 /// The distance between two sheets at a pixel, in pixels.
 ///
 /// The sheets' planes are 1 / w = c + along_x x + along_y y, with x and y from the picture's
-/// centre. In space, such a plane is f along_x X + f along_y Y + c Z = 1. So a pixel's distance
-/// along the normal changes 1 / w by |(along_x, along_y, c / f)|. A pixel in the picture changes
-/// the difference of both depths by the difference of the planes' slopes. In a parallel projection,
-/// depth_by_pixel takes the place of c / f.
+/// centre. In space, such a plane is f along_x X + f along_y Y + c Z = 1. So a step by a pixel's
+/// size along the normal changes 1 / w by |(along_x, along_y, c / f)|. A step to the next pixel
+/// changes the difference of both depths by the difference of the planes' slopes. In a parallel
+/// projection, depth_by_pixel takes the place of c / f.
 float l3d_two_layer_depths::gap_between(const fragment& front, const fragment& other, int x,
                                         int y) const {
     constexpr float far = std::numeric_limits<float>::infinity();

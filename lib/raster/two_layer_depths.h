@@ -13,12 +13,13 @@
 #include <span>
 #include <vector>
 
-/// A patch in the picture, and the patches of its model that it touches.
+/// The patch to which a part's polygons belong, and the patches of its model that it touches.
 ///
-/// Lives: borrows the list.
+/// Lives: borrows the list `touching`.
 struct l3d_sheet_patch {
     std::uint32_t instance = 0, patch = 0;
-    std::span<const std::uint32_t> touching; ///< patches that share a corner with it, in order
+    /// Indices of the patches that share a corner with this patch, in rising order.
+    std::span<const std::uint32_t> touching;
 
     bool is(const l3d_sheet_patch& other) const {
         return instance == other.instance && patch == other.patch;
@@ -32,12 +33,13 @@ struct l3d_sheet_patch {
 /// in each pixel.
 ///
 /// A polygon covers pixels by the picture's own rule, so a sheet that is not folded is met once in
-/// each pixel. At the rims of patches, slits and rims may overlap by less than the bound. There,
-/// the polygons of a patch and of its neighbours count as one sheet if their slopes are alike.
+/// each pixel. At the borders of patches, slits and rims may overlap by less than the bound of
+/// places. At these borders, the polygons of a patch and of its neighbours count as one sheet if
+/// their slopes are alike.
 /// Cost:    36 bytes for each pixel, and some 20 ns for each pixel and sheet.
 class l3d_two_layer_depths {
 public:
-    /// Starts an empty picture. In a parallel projection, depths are linear in the distance. They
+    /// Starts an empty picture. In a parallel projection, depths are linear in the distance. Depths
     /// change by depth_by_pixel if the distance changes by a pixel's width; in perspective it is 0.
     /// Units: focal in pixels.
     void begin(l3d_size size, double focal, double depth_by_pixel = 0);
@@ -53,13 +55,18 @@ public:
     float gap(int x, int y) const { return at(x, y).gap; }
 
 private:
-    /// The kinds of polygons, by their place in a part. Triangles close slits.
+    /// The kinds of polygons, by their place in a part. `inner` are quads inside of a grid. `rim`
+    /// are quads at a grid's rim, and triangles of a part without a grid. `slit` are triangles that
+    /// close slits.
     static constexpr std::uint32_t inner = 0, rim = 1, slit = 2, kinds = 3;
 
-    /// A sheet at the centre of a pixel.
+    /// A sheet of surface at the centre of a pixel.
     struct fragment {
-        float inv_w = 0, along_x = 0, along_y = 0; ///< inv_w, and its change to the next pixels
-        /// Kinds times the patch's index in patches_, plus the polygon's kind.
+        /// The sheet's inv_w in this pixel, and its change to the next pixel to the right and
+        /// below.
+        float inv_w = 0, along_x = 0, along_y = 0;
+        /// The polygon's patch and kind, as one number: `kinds` times the patch's index in
+        /// patches_, plus the kind.
         std::uint32_t owner = 0;
     };
     struct pixel {

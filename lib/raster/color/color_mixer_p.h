@@ -12,20 +12,22 @@
 
 namespace l3d_detail {
 
-/// A colour that covers a share of a place.
+/// A colour, and the share of a place (a pixel or a part of it) that the colour covers.
 struct mixed_color {
-    /// Red, green and blue as a color_mixer has them, each times `opacity`.
+    /// Red, green and blue in the numbers of color_mixer::value, each times `opacity`.
     std::array<double, 3> values{};
-    double opacity = 0; ///< the covered share, from 0 to 1
+    double opacity = 0; ///< the share of the place that the colour covers, from 0 to 1
 };
 
-/// Mixes colours, and rounds the result once, to the nearest level.
+/// Mixes colours in levels or in amounts of light, and rounds the result once, to the nearest
+/// level.
 class color_mixer {
 public:
     explicit color_mixer(l3d_blending how)
         : light_(how == l3d_blending::linear ? &exact_light_tables() : nullptr) {}
 
-    /// The amount that stands for a level: the light, or the level itself.
+    /// The number in which a level from 0 to 255 is mixed: its light if colours are mixed linearly,
+    /// else the level itself. The function level() is the inverse.
     double value(std::uint32_t level) const {
         return light_ != nullptr ? light_->light(level) : static_cast<double>(level);
     }
@@ -33,7 +35,7 @@ public:
         return light_ != nullptr ? light_->level(value) : static_cast<std::uint32_t>(value + 0.5);
     }
 
-    /// The colour of a place of which a share is covered by a word's colour.
+    /// The colour of a place whose given share is covered by a pixel word's colour.
     mixed_color color(std::uint32_t word, double share = 1) const {
         mixed_color result{{}, share};
         for (std::size_t k = 0; k < 3; ++k)
@@ -49,8 +51,8 @@ public:
         return result;
     }
 
-    /// Mixes a colour over a pixel word, by a share. If the word is transparent, both colours are
-    /// weighted by their coverage.
+    /// Mixes a colour over a pixel word, as if the colour's place were this share of the pixel. If
+    /// the word is transparent, both colours are weighted by their coverage.
     std::uint32_t over(std::uint32_t word, const mixed_color& color, double share) const {
         const double covers = color.opacity * share;
         if (covers <= 0)
@@ -73,7 +75,7 @@ private:
         return word >> shift_of(k) & 255;
     }
 
-    const linear_light_of<double>* light_; ///< null: amounts are levels as they are
+    const linear_light_of<double>* light_; ///< null: levels are mixed as they are
 };
 
 } // namespace l3d_detail

@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// Calls visit(y, index of that row's first sum) for all rows. Workers share the rows in runs of
-/// 16.
+/// Calls visit(y, index of row y's first sum) for all rows of the box. Workers share the rows in
+/// runs of 16.
 template <class Visit> void light_mix::for_rows(l3d_workers& workers, const Visit& visit) const {
     constexpr int run = 16;
     const int rows = box_.bottom - box_.top;

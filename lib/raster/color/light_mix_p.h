@@ -10,7 +10,8 @@
 
 namespace l3d_detail {
 
-/// Adds up the light of pictures, each with a weight. A partly transparent pixel adds less light.
+/// Finds the mean light of several pictures: adds up their light, each with a weight. A partly
+/// transparent pixel adds less light.
 /// Cost: keep one object for many pictures, since it keeps its memory.
 class light_mix {
 public:
@@ -26,16 +27,16 @@ public:
     void write(const l3d_pixels& target, l3d_workers& workers) const;
 
 private:
-    /// The sums of one pixel. Units: linear, from 0 to 1.
+    /// The sums of one pixel. Units: linear light, from 0 to 1.
     struct sum {
         float red = 0, green = 0, blue = 0;
-        float empty = 0; ///< the weight of the transparent part
+        float empty = 0; ///< the weights of pictures, each times the pixel's transparent share
     };
 
     template <class Visit> void for_rows(l3d_workers& workers, const Visit& visit) const;
 
     l3d_pixel_box box_;
-    std::vector<sum> sums_; ///< one for each of the box's pixels, row by row
+    std::vector<sum> sums_; ///< a sum for each of the box's pixels, row by row
 };
 
 } // namespace l3d_detail

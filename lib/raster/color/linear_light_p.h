@@ -18,8 +18,8 @@ public:
     /// The light of a level from 0 to 255; level 255 has light 1.
     Real light(std::uint32_t level) const { return light_[level]; }
 
-    /// The level of a surface that only ambient light reaches, and the largest level that lights
-    /// add.
+    /// The grey level of a surface that only ambient light reaches, and the largest number of
+    /// levels that lamps add.
     static constexpr Real ambient = Real(25.5), most_lit = Real(229.5);
 
     /// The level of a surface that is lit by lamps. `lit` is the level above the ambient one, as in
@@ -45,7 +45,8 @@ public:
     /// The lights of all levels from 0 to 255.
     const std::array<Real, 256>& lights() const { return light_; }
 
-    /// The nearest level: the light lies between those of level - 1/2 and level + 1/2.
+    /// The level nearest to a light: the light lies between the lights of level - 1/2 and level +
+    /// 1/2.
     std::uint32_t level(Real light) const {
         const Real held = light > 0 ? (light < 1 ? light : Real(1)) : Real(0);
         std::uint32_t found = first_[static_cast<std::size_t>(held * (guesses - 1))];
@@ -68,7 +69,7 @@ private:
 
 using linear_light = linear_light_of<float>;
 
-/// The sRGB tables, made at the first call.
+/// The sRGB tables, in float and in double, each made at the first call of its function.
 const linear_light& linear_light_tables();
 const linear_light_of<double>& exact_light_tables();
 

@@ -10,7 +10,7 @@
 namespace l3d_detail {
 namespace {
 
-/// Largest coordinate, as for paths.
+/// The largest coordinate of an image's corners, the same as for paths.
 constexpr double farthest = 1 << 30;
 
 bool is_in_reach(l3d_point_2d p) {
@@ -31,7 +31,7 @@ mixed_color divided(mixed_color sum, double by) {
     return sum;
 }
 
-/// The length that the intervals [i, i + 1] and [from, to] share. Expects: they overlap.
+/// The length that the intervals [i, i + 1] and [from, to] share. Expects: the intervals overlap.
 double overlap(double from, double to, int i) {
     return std::min<double>(to, i + 1) - std::max<double>(from, i);
 }
@@ -102,7 +102,8 @@ mixed_color image_sampler::nearest(l3d_point_2d at) const {
     return color(static_cast<int>(column), static_cast<int>(row));
 }
 
-/// The colour between four pixels. Places outside of the image have the colours on its border.
+/// The colour between the four pixels of the image around a place. Places outside of the image have
+/// the colours on its border.
 mixed_color image_sampler::linear(l3d_point_2d at) const {
     const auto held = [](double place, int size) {
         return std::clamp(place - 0.5, 0.0, static_cast<double>(size - 1));
@@ -121,7 +122,8 @@ mixed_color image_sampler::linear(l3d_point_2d at) const {
     return result;
 }
 
-/// The mean colour of a pixel whose sides are parallel to the image's. In the image, it is a box.
+/// The mean colour of a pixel whose sides are parallel to the image's. In the image, the pixel is
+/// an axis-aligned box.
 mixed_color image_sampler::box_mean(l3d_point_2d from, l3d_point_2d to) const {
     const double width = image_.pixels.width, height = image_.pixels.height;
     const double left = std::clamp(std::min(from.x, to.x), 0.0, width);
@@ -199,7 +201,7 @@ void image_sampler::add_edge(l3d_point_2d from, l3d_point_2d to) {
 }
 
 /// Adds an edge's part in one row, from one x to another. A part beyond the columns counts as if it
-/// were on their border.
+/// were on the columns' border.
 void image_sampler::add_in_row(int row, double from, double to, double height) {
     if (from > to)
         std::swap(from, to); // the area to the right is the same
@@ -219,9 +221,9 @@ void image_sampler::add_in_row(int row, double from, double to, double height) {
     }
 }
 
-/// Adds the area to the right of an edge's part in a cell. In this cell, it is the part's height
-/// times its mean distance from the cell's right side. In all cells further right, it is the whole
-/// height.
+/// Adds the area to the right of an edge's part in a cell. In this cell, the area is the part's
+/// height times its mean distance from the cell's right side. In all cells further right, the area
+/// is the part's whole height.
 void image_sampler::add_in_cell(int row, int column, double from, double to, double height) {
     if (column >= columns_)
         return;

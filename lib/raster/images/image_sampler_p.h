@@ -20,8 +20,9 @@ class image_sampler {
 public:
     image_sampler(const l3d_placed_image& image, const color_mixer& mixer);
 
-    /// The part of the picture that the image may reach. It is the image's outline, or for hard
-    /// edges the pixels around it. Empty if nothing is to be drawn.
+    /// The part of the picture that the image may reach. It is the image's outline, or for
+    /// l3d_image_filter::nearest an axis-aligned box of whole pixels around this outline. It is
+    /// empty if nothing is to be drawn.
     l3d_path reach() const;
 
     /// Whether the image is only moved by whole pixels. Then moved_x() and moved_y() tell how far
@@ -30,7 +31,8 @@ public:
     std::int32_t moved_x() const { return moved_x_; }
     std::int32_t moved_y() const { return moved_y_; }
 
-    /// The colour of the picture's pixel (x, y): the mean over the part of its square in the image.
+    /// The colour of the picture's pixel (x, y): the one that the image's filter chooses. The
+    /// filter `area` takes the mean over the part of the pixel's square that lies in the image.
     mixed_color at(std::int32_t x, std::int32_t y);
 
 private:
@@ -54,7 +56,8 @@ private:
     std::int32_t moved_x_ = 0, moved_y_ = 0;
     // for area_mean: the columns and rows of the image that a pixel reaches
     int first_column_ = 0, first_row_ = 0, columns_ = 0, rows_ = 0;
-    std::vector<double> areas_; ///< row by row: differences of covered areas, from column to column
+    /// For each row of the image, differences of the covered area from column to column.
+    std::vector<double> areas_;
 };
 
 } // namespace l3d_detail

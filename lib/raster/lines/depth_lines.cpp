@@ -9,8 +9,8 @@
 
 namespace {
 
-/// The smaller change of depth to either neighbour, which is the rise of the pixel's own surface.
-/// Steps to another surface, or to none, are larger.
+/// The smaller one of the changes of depth to both neighbours of a pixel, which is the rise of the
+/// pixel's own surface. Steps to another surface, or to none, are larger.
 double rise(double before, double here, double after) {
     return std::min(std::abs(here - before), std::abs(here - after));
 }
@@ -18,17 +18,17 @@ double rise(double before, double here, double after) {
 /// Whether a surface in a pixel hides the point of a line that is at most `away` pixels from the
 /// pixel's centre.
 ///
-/// The line may lie on that surface. Over a pixel, the depth of the surface rises by g along an
+/// The line may lie on the surface. Over a pixel, the depth of the surface rises by g along an
 /// axis. So the surface at the line's point may be farther by `away` times g. Besides, an error of
 /// e pixels along the normal is e / cos a pixels along the view axis, where a is the angle between
-/// both. Let p be the change of depth over a pixel's size. A plane of that slope has g = p tan a,
-/// and the inverse of cos a is at most 1 + tan a. So the error is at most e (p + g). Roundings of
-/// the floats add 4 ulps.
+/// the normal and this axis. Let p be the change of depth over a pixel's size. A plane of that
+/// slope has g = p tan a, and the inverse of cos a is at most 1 + tan a. So the error is at most e
+/// (p + g). Roundings of the floats add 4 ulps.
 ///
-/// Where both neighbours show other surfaces, g is no slope. So it is limited to 8 p, the slope of
-/// a surface that is seen within 7 degrees of its edge. On a sphere with a radius of r pixels, the
-/// slope at d pixels from the outline is sqrt(r / (2 d)). For 100 pixels it is above 8 within 0.8
-/// pixels of the outline, and a line that lies there may be cut off.
+/// Where both neighbours show other surfaces, g is no slope. So g is limited to 8 p, the slope of a
+/// surface that is seen within 7 degrees of its edge. On a sphere with a radius of r pixels, the
+/// slope at d pixels from the outline is sqrt(r / (2 d)). For a radius of 100 pixels, the slope is
+/// above 8 within 0.8 pixels of the outline. A line so close to the outline may be cut off.
 bool is_hidden(const l3d_detail::depth_lines::line& of, int x, int y, double away, double depth) {
     constexpr double steepest = 8;
     const auto row = of.depth.row(y);
@@ -50,8 +50,8 @@ bool is_hidden(const l3d_detail::depth_lines::line& of, int x, int y, double awa
     return here > depth + bias;
 }
 
-/// The first whole pixel whose centre is at or after a place, limited to 0 .. count. end_pixel() is
-/// its counterpart for the end of a range.
+/// The first whole pixel whose centre is at or after a place, limited to 0 .. count. end_pixel()
+/// gives the first whole pixel after a place, for the end of a range.
 int first_pixel(double from, int count) {
     return static_cast<int>(std::clamp(std::ceil(from - 0.5), 0.0, double(count)));
 }

@@ -14,19 +14,21 @@
 
 namespace l3d_detail {
 
-/// An end of a chord.
+/// An end of a chord, a straight piece of a line with depth.
 /// Units: pixels from the picture's top left corner; the depth is that of a depth buffer.
 struct depth_point {
     double x = 0, y = 0, depth = 0;
 };
 
-/// The meaning of depths: 1 / distance, or base + step * distance in a parallel projection.
+/// The meaning of the depths in a depth buffer: 1 / distance, or base + step * distance in a
+/// parallel projection.
 struct depth_law {
     double focal; ///< pixels for each world unit, at distance 1 or in a parallel projection
-    /// Depth_base and depth_step of l3d_shading; step is 0 in perspective.
+    /// The depth_base and depth_step of l3d_shading; `step` is 0 in perspective.
     double base = 0, step = 0;
 
-    /// The change of depth between two places whose distances differ by a pixel's size.
+    /// The change of depth between two places whose distances differ by the size of a pixel at this
+    /// depth.
     double per_pixel(double depth) const { return (step == 0 ? depth : std::abs(step)) / focal; }
 };
 
@@ -39,7 +41,7 @@ struct depth_law {
 /// most half of the width, or 1/2 for thinner lines.
 class depth_lines {
 public:
-    /// The properties of a line.
+    /// The properties of a line with depth, and the depth buffer of the surfaces that hide it.
     /// Lives:   borrows the depth until paint().
     /// Units:   width and error in pixels. `error` is the largest error of the surfaces and of the
     ///          line along their normals.
@@ -61,7 +63,8 @@ private:
         float cover = 0, depth = 0;
     };
 
-    std::vector<cell> cells_; ///< a cell for each pixel of the picture; 0 outside of the line
+    /// A cell for each pixel of the picture; its cover is 0 outside of the line.
+    std::vector<cell> cells_;
     std::vector<std::size_t> covered_;
 };
 

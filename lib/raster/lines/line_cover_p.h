@@ -40,22 +40,22 @@ void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size s
     });
 }
 
-/// Raises the coverage in a pixel, a word of a picture of coverage, to a line's coverage if that is
-/// larger.
+/// Raises a pixel's word in a picture of coverage to a line's coverage, if the line's is larger.
 inline void cover_pixel(std::uint32_t& word, int coverage) {
     word = std::max(word, static_cast<std::uint32_t>(coverage));
 }
 
-/// Raises the coverage in a pixel in the same way. For fog, it also keeps the depth of the nearest
-/// line there, which has no meaning while the coverage is 0.
+/// Raises a pixel's word in a picture of coverage to a line's coverage, if the line's is larger.
+/// For fog, it also keeps the depth of the pixel's nearest line in `depth`, which has no meaning
+/// while the coverage is 0.
 inline void cover_pixel(std::uint32_t& word, float& depth, int coverage, double inv_w) {
     const auto here = static_cast<float>(inv_w);
     depth = word == 0 ? here : std::max(depth, here);
     cover_pixel(word, coverage);
 }
 
-/// Turns rows of a picture of coverage into colours. If the shading has fog, the depths tell its
-/// amount.
+/// Turns rows of a picture of coverage into colours. If the shading has fog, the depths tell the
+/// amount of fog.
 inline void color_cover(const l3d_pixels& picture, scan_rows rows, const l3d_shading& shading,
                         std::uint32_t line_color, const l3d_depth_buffer& depths) {
     const bool is_foggy = shading.fog.is_on();

@@ -12,7 +12,8 @@
 
 namespace l3d_detail {
 
-/// The line between the pixels of two vertices. A shift rounds down, also below zero.
+/// The line between the pixels that contain two vertices. The vertices' places are rounded down by
+/// a shift, also below zero.
 inline l3d_line_2d side_of(const l3d_micro_vertex& a, const l3d_micro_vertex& b) {
     return {a.x >> l3d_subpixel_bits, a.y >> l3d_subpixel_bits, b.x >> l3d_subpixel_bits,
             b.y >> l3d_subpixel_bits};
@@ -24,8 +25,9 @@ inline l3d_point_2d line_place(std::int32_t x, std::int32_t y) {
     return {double(x) / l3d_subpixel_one - 0.5, double(y) / l3d_subpixel_one - 0.5};
 }
 
-/// Calls visit(x, y, along) for the pixels of a line that lie in a target. `along` goes from 0 at
-/// the first end to 1 at the other. The pixels are those of l3d_rasterizer_2d::draw_line.
+/// Calls visit(x, y, along) for the pixels of a line that lie in a picture of this size. `along`
+/// goes from 0 at the first end to 1 at the other. The pixels are those of
+/// l3d_rasterizer_2d::draw_line.
 template <class Visit> void visit_line(const l3d_line_2d& line, l3d_size size, const Visit& visit) {
     if (line.x0 == line.x1 && line.y0 == line.y1) {
         if (line.x0 >= 0 && line.x0 < size.width && line.y0 >= 0 && line.y0 < size.height)

@@ -21,8 +21,10 @@ namespace l3d_detail {
 struct line_steps {
     bool x_major;
     std::int64_t major, minor;
-    std::int64_t length, rise;         ///< 0 <= |rise| <= length < 2^32
-    std::int64_t first = 0, last = -1; ///< steps first <= i <= last are in the target
+    /// The line's extent along its major axis, and its signed extent along the other axis; |rise|
+    /// <= length < 2^32.
+    std::int64_t length, rise;
+    std::int64_t first = 0, last = -1; ///< steps first <= i <= last are in the picture
 
     /// The minor coordinates of the pixels, from step `first` on.
     exact_steps minors() const {
@@ -41,11 +43,11 @@ struct line_steps {
 /// 1) 2^-40. As i is at most `length`, this is below 1 / (2 length), so no floor changes.
 class swift_minors {
 public:
-    /// Whether this class works for lines of this length.
+    /// Whether this class serves lines of this length.
     static bool serve(std::int64_t length) { return length > 0 && length < std::int64_t{1} << 18; }
 
-    /// The steps of a line, by one division. The class's `excess` is below 4 here, and 4 * 2^18 * 2
-    /// * 2^18 < 2^40.
+    /// The minor coordinates of a line, by one division. The class's `excess` is below 4 here, and
+    /// 4 * 2^18 * 2 * 2^18 < 2^40.
     /// Expects: serve(length), |rise| <= length.
     static swift_minors of(std::int64_t length, std::int64_t rise) {
         const double unit = static_cast<double>(one) / static_cast<double>(length);
@@ -56,8 +58,8 @@ public:
     /// Lines below this length need no division.
     static constexpr std::int32_t short_length = 16;
 
-    /// The steps of a line shorter than short_length, with a table in place of a division. The
-    /// class's `excess` is below 32 here, and 32 * 2^4 * 2 * 2^4 < 2^40.
+    /// The minor coordinates of a line shorter than short_length, with a table in place of a
+    /// division. The class's `excess` is below 32 here, and 32 * 2^4 * 2 * 2^4 < 2^40.
     /// Expects: 0 <= length < short_length, |rise| <= length.
     static swift_minors of_short(std::int32_t length, std::int32_t rise) {
         const std::int64_t unit = units[static_cast<std::size_t>(length)];
@@ -67,7 +69,7 @@ public:
     std::int64_t floor() const { return value_ >> fraction_bits; }
     std::int64_t floor_after(int steps) const { return (value_ + steps * step_) >> fraction_bits; }
     void step() { value_ += step_; }
-    /// Skips steps, forwards or backwards.
+    /// Moves on by this number of steps, or back if it is negative.
     /// Expects: the place reached is between step 0 and step `length`.
     void skip(std::int64_t steps) { value_ += steps * step_; }
 
@@ -75,7 +77,8 @@ private:
     static constexpr int fraction_bits = 40;
     static constexpr std::int64_t one = std::int64_t{1} << fraction_bits;
 
-    /// floor(2^40 / length) for short lines. Entry 0 is 0: such a line has one pixel.
+    /// Entry `length` is floor(2^40 / length), for short lines. Entry 0 is 0, as a line of length 0
+    /// has one pixel.
     static constexpr auto units = [] {
         std::array<std::int64_t, short_length> result{};
         for (std::size_t length = 1; length < result.size(); ++length)

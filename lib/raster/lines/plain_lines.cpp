@@ -14,8 +14,8 @@ using namespace l3d_detail;
 constexpr int block = 4;
 
 /// The number of pixels by which prefetching is ahead. Each pixel of a steep line is in a row of
-/// its own, and so in a cache line of its own. Lines shorter than fewest_for_ahead lose more by it
-/// than they gain.
+/// its own, and so in a cache line of its own. Lines shorter than fewest_for_ahead lose more by
+/// prefetching than they gain.
 constexpr int pixels_ahead = 4;
 constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 
@@ -23,11 +23,12 @@ constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 template <bool x_major, class Minors> struct line_walk {
     std::uint32_t* at; ///< the next pixel's word, at the minor coordinate of the line's begin
     Minors minors;
-    std::ptrdiff_t along; ///< offset of the next word along the longer axis
+    std::ptrdiff_t along; ///< offset from a word to the next along the longer axis
     std::ptrdiff_t stride;
 
     std::uint32_t* pixel() const { return at + across(minors.floor()); }
-    /// The offset from this pixel to a later one, or to a neighbour of the later one.
+    /// The offset from the present pixel to the pixel this many steps later, or to a neighbour of
+    /// that pixel.
     std::ptrdiff_t ahead(int pixels) const {
         return pixels * along + across(minors.floor_after(pixels) - minors.floor());
     }
@@ -51,7 +52,7 @@ void light_singly(line_walk<x_major, Minors> walk, std::int64_t pixels, std::uin
         *walk.pixel() = color;
 }
 
-/// Lights pixels in blocks. The last block ends where the line does, so it may overlap the one
+/// Lights pixels in blocks. The last block ends where the line does, so it may overlap the block
 /// before it.
 ///
 /// Not inlined: the loop takes all registers, and compilers would mix it with the code before it.
@@ -76,9 +77,9 @@ template <bool x_major, bool prefetches>
     light_block();
 }
 
-/// Lights the visible steps of a line. It takes separate numbers, as a struct would be passed in
-/// memory. `at` is the word at the first step's major coordinate and at the minor coordinate of the
-/// line's begin.
+/// Lights the visible steps of a line. Its arguments are separate numbers, as a struct would be
+/// passed in memory. `at` is the word at the first step's major coordinate and at the minor
+/// coordinate of the line's begin.
 template <bool x_major>
 void light_steps(std::uint32_t* at, std::int64_t length, std::int64_t rise, std::int64_t first,
                  std::int64_t pixels, std::ptrdiff_t along, std::ptrdiff_t stride,

@@ -51,7 +51,8 @@ private:
     }
 
     bool x_major_;
-    std::int64_t first_major_, last_major_; ///< the ends of the line, in 1/256 pixel
+    /// The ends of the line along its longer axis, in 1/256 pixel.
+    std::int64_t first_major_, last_major_;
     std::int64_t minor_size_;
     wide_integer start_, slope_; ///< in step i the line is at (start + i slope) / denominator
     std::int64_t denominator_;

@@ -13,8 +13,8 @@
 
 namespace l3d_detail {
 
-/// Sorts things by height, in the order of the picture's bands. So most things are filled by the
-/// worker that made them, whose core has them in its cache.
+/// Sorts things that are to be filled by their heights in the picture, in the order of its bands.
+/// So most things are filled by the worker that made them, whose core has them in its cache.
 ///
 /// Lives: keeps its memory from frame to frame.
 class height_order {

@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// The place of the instruction set in use, in the tables below.
+/// The index of the instruction set in use, in the tables that L3D_SIMD_TABLE defines.
 std::size_t simd_place();
 
 } // namespace l3d_detail

@@ -22,7 +22,8 @@ struct target {
 #define L3D_HAS(feature) false
 #endif
 
-/// The features that Highway needs for each target, in the order of L3D_SIMD_TABLE.
+/// The names of the targets (instruction sets), and the features of the processor that Highway
+/// needs for each. They have the order of L3D_SIMD_TABLE.
 constexpr std::array<target, 4> targets{
     {{"AVX3",
       [] {
@@ -46,8 +47,8 @@ std::size_t best_place() {
     return place;
 }
 
-/// The index of the chosen target. The whole process has one, as the processor's features are the
-/// same for all.
+/// The index of the chosen target. The whole process has one index, as the processor's features are
+/// the same for all its threads.
 std::atomic<std::size_t>& chosen_place() {
     static std::atomic<std::size_t> place = best_place();
     return place;

@@ -23,14 +23,16 @@
 
 namespace {
 
-/// Items [begin, end) that are still to be taken, from either end.
+/// The items of a worker that no worker has taken yet: a range [begin, end), from which items are
+/// taken at either end.
 ///
 /// Shape: fills two cache lines, since processors fetch them in pairs.
 class alignas(128) item_range {
 public:
     void set(int begin, int end) { ends_.store(packed(begin, end), std::memory_order_relaxed); }
 
-    /// Takes the first or the last item; none if all are taken.
+    /// Takes the range's first item, or its last one if `first` is false. Returns none if all are
+    /// taken.
     std::optional<int> take(bool first) {
         std::uint64_t ends = ends_.load(std::memory_order_relaxed);
         for (;;) {
@@ -54,12 +56,12 @@ private:
 
 } // namespace
 
-/// Threads that sleep until there is work. The caller's thread is worker 0.
+/// The threads of an l3d_workers. They sleep until there is work. The caller's thread is worker 0.
 ///
-/// The others are made by pthread_create, since stacks of std::thread are as large as the user's
-/// limit.
+/// The other threads are made by pthread_create, since stacks of std::thread are as large as the
+/// user's limit.
 struct l3d_workers::threads {
-    /// Makes `wanted` - 1 threads, or as many as the system allows.
+    /// Makes `wanted` - 1 threads besides the caller's, or as many as the system allows.
     explicit threads(int wanted) : members(static_cast<std::size_t>(wanted)) {
         pthread_attr_t attributes;
         pthread_attr_init(&attributes);
@@ -89,7 +91,7 @@ struct l3d_workers::threads {
     }
 
     /// Calls work(worker) on this thread, and on other threads that join in before the call ends.
-    /// Cost: allocates nothing if the function holds a reference.
+    /// Cost: allocates nothing if `work` holds only a reference.
     void run(const std::function<void(int)>& work) {
         {
             const std::lock_guard lock(mutex);
@@ -111,8 +113,8 @@ struct l3d_workers::threads {
             std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// Size of a thread's stack. It is larger than needed, since sanitizers have larger frames.
-    /// Only touched pages take memory.
+    /// Size of a thread's stack. It is larger than needed without sanitizers, since these make
+    /// larger stack frames. Only touched pages take memory.
     static constexpr std::size_t stack_bytes = 8 * l3d_stack_bytes;
 
     struct member {
@@ -123,9 +125,10 @@ struct l3d_workers::threads {
     };
 
     std::vector<member> members;
-    int made = 1; ///< the threads that exist, the caller's included
+    int made = 1; ///< the number of threads that exist, the caller's included
     int why_no_more = 0;
-    std::atomic<bool> has_failed{false}; ///< work has thrown, so no other item is begun
+    /// Whether an item's work has thrown, so that no other item is begun.
+    std::atomic<bool> has_failed{false};
 
 private:
     static void* begin(void* context) noexcept {
@@ -151,8 +154,8 @@ private:
         }
     }
 
-    /// Spins until the others' last items are done, but no longer than falling asleep and waking
-    /// take. On a busy machine, a sleeper would wait for its turn.
+    /// Spins until the other threads' last items are done, but no longer than falling asleep and
+    /// waking take. On a busy machine, a sleeper would wait for its turn.
     void watch() const {
         using clock = std::chrono::steady_clock;
         constexpr auto sleep_and_wake = std::chrono::microseconds(50);
@@ -170,11 +173,13 @@ private:
         }
     }
 
-    std::mutex mutex; ///< guards all members below
+    std::mutex mutex; ///< guards all members that follow
     std::condition_variable begun, ended;
-    const std::function<void(int)>* present = nullptr; ///< work that other threads may join
-    std::uint64_t rounds = 0; ///< counts calls of run(), so that no thread joins one twice
-    std::atomic<int> busy{0}; ///< other threads at work; written under the lock
+    /// The work that other threads may join; null if there is none.
+    const std::function<void(int)>* present = nullptr;
+    /// The number of calls of run(), so that no thread joins a call twice.
+    std::uint64_t rounds = 0;
+    std::atomic<int> busy{0}; ///< the number of other threads at work; written under the lock
     bool is_over = false;
     std::exception_ptr failure; ///< the first exception of the work
 };
@@ -238,8 +243,9 @@ void l3d_workers::run(int items, item_call call, void* context) {
     threads_->run(std::cref(take_items));
 }
 
-/// Gives each worker a range of its own, from whose outer end it takes items. When that is empty,
-/// it takes items of other ranges, its neighbours' first, from the end far from their owner.
+/// Gives each worker a range of its own, from whose outer end it takes items. When its range is
+/// empty, it takes items of other workers' ranges, its neighbours' first. It takes them from the
+/// end at which the owner does not.
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);

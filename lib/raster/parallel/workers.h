@@ -15,7 +15,7 @@
 #include <type_traits>
 #include <utility>
 
-/// The limit of threads that draw together. Machines have fewer processors to share, and each
+/// The limit of threads that draw together. Machines have fewer processors than this, and each
 /// thread takes memory of its own.
 inline constexpr int l3d_most_threads = 1024;
 
@@ -24,8 +24,8 @@ inline constexpr int l3d_most_threads = 1024;
 /// Units: bytes.
 inline constexpr std::size_t l3d_stack_bytes = 128 * 1024;
 
-/// The reason why this number of threads cannot draw together, which names the number; "" if they
-/// can.
+/// The reason why this number of threads cannot draw together, in words that name the number; "" if
+/// they can.
 L3D_PUBLIC std::string l3d_threads_complaint(int threads);
 
 /// The limit of threads that draw by default.

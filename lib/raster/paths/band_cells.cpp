@@ -22,9 +22,9 @@ constexpr std::int32_t whole(double x) {
 
 /// An edge in the direction of its outline, in the rows of a band.
 struct band_edge {
-    l3d_point_2d from, to;           ///< its ends, which may lie beyond the band
-    double x, y, end_x, end_y;       ///< its part in the band
-    bool begins = true, ends = true; ///< whether its ends lie in the band
+    l3d_point_2d from, to;           ///< the edge's ends, which may lie beyond the band
+    double x, y, end_x, end_y;       ///< the ends of the edge's part in the band
+    bool begins = true, ends = true; ///< whether the edge's beginning and end lie in the band
 
     /// If borders of rows cut the edge: the change of x from row to row, and the least and the
     /// largest x of its ends.
@@ -35,7 +35,7 @@ struct band_edge {
 
     bool leads_up() const { return to.y < from.y; }
 
-    /// Cuts it at the band's borders. Returns false if it lies beyond them.
+    /// Cuts the edge at the band's borders. Returns false if the edge lies beyond them.
     bool clip(double top, double bottom) {
         const double upper = std::min(from.y, to.y), lower = std::max(from.y, to.y);
         if (lower <= top || upper >= bottom)
@@ -58,11 +58,11 @@ struct band_edge {
         least = std::min(from.x, to.x);
         most = std::max(from.x, to.x);
     }
-    /// x at a border of rows. Rounding never puts it beyond the edge's ends.
+    /// The edge's x at a border of rows. Rounding never puts this x beyond the edge's ends.
     double x_at(double border) const {
         return std::min(std::max(from.x + (border - from.y) * slope, least), most);
     }
-    /// dy / dx. Expects: the ends differ in x.
+    /// The edge's dy / dx. Expects: the ends differ in x.
     double steepness() const { return (to.y - from.y) / (to.x - from.x); }
 };
 
@@ -102,7 +102,7 @@ void band_cells::begin_band(std::int32_t top, std::int32_t bottom) {
     records_.push({}); // the index 0 means none
 }
 
-/// A walk along an outline.
+/// A walk along an outline, which adds its edges to the pixels that they pass.
 struct band_cells::walk {
     enum way : std::uint32_t { none = 0, up = 1, down = 2, to_left = 4, to_right = 8, all = 15 };
 
@@ -111,12 +111,12 @@ struct band_cells::walk {
     const std::ptrdiff_t stride, words;
     const std::int32_t left, top;
     const double band_top, band_bottom;
-    edge_record* records = nullptr; ///< all records, and room for more
+    edge_record* records = nullptr; ///< the records of all edges, and room for more
     std::uint32_t used;             ///< the number of records
 
     cell* here = nullptr;    ///< the pixel that the outline has reached
-    std::uint32_t edges = 0; ///< the number of its edges there
-    std::uint32_t ways = 0;  ///< the directions in which they run, as bits of `way`
+    std::uint32_t edges = 0; ///< the number of the outline's edges in this pixel
+    std::uint32_t ways = 0;  ///< the directions in which these edges run, as bits of `way`
 
     /// Adds an edge's part in a pixel. `right` is the distance from the part's middle to the
     /// pixel's right side.
@@ -161,7 +161,7 @@ struct band_cells::walk {
         return at;
     }
 
-    /// Marks the groups of columns from one to another.
+    /// Marks the groups that hold columns `first` to `last` of a row.
     static HWY_INLINE void mark(std::uint64_t* row, std::int32_t first, std::int32_t last) {
         constexpr std::uint32_t bits = 64;
         auto g = static_cast<std::uint32_t>(first) / static_cast<std::uint32_t>(group);
@@ -181,8 +181,8 @@ struct band_cells::walk {
                (from.x < to.x ? to_right : none) | (to.x < from.x ? to_left : none);
     }
 
-    /// Notes that the outline's next edge begins in a pixel, and returns the way by which it got
-    /// there.
+    /// Notes that the outline's next edge begins in a pixel, and returns the way by which the
+    /// outline got into this pixel.
     HWY_INLINE cell_begin come_to(cell* pixel, const l3d_point_2d* corner, bool is_begin) {
         if (pixel != here) {
             edges = 1;
@@ -335,7 +335,7 @@ void band_cells::write_row(std::int32_t row, span_writer& to) {
 }
 
 /// Finds the integrals of the winding number for a run of pixels in a row. On entry, `cover` is the
-/// integral down the run's left side; on return, that down its right side.
+/// integral down the run's left side; on return, it is the integral down the right side.
 void band_cells::find_sums(std::size_t at, std::size_t end, double& cover) {
     double sum = cover;
     for (double* sums = sums_.data(); at < end; at += group, sums += group) {
@@ -362,7 +362,7 @@ void band_cells::find_exact(std::size_t at, double* sums) {
             sums[i] = exact(at + i, visits, {sums[i], 0});
 }
 
-/// Finds the areas of a run of pixels in a row, for two layers.
+/// Finds the covered areas of a run of pixels in a row, if there is a clip path, too.
 void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double, 2>& cover) {
     for (double* area = sums_.data(); at < end; ++at, ++area) {
         std::array<double, 2> sums;
@@ -378,7 +378,7 @@ void band_cells::find_clipped(std::size_t at, std::size_t end, std::array<double
     }
 }
 
-/// The covered area of a pixel that outlines pass several times, or an integral from which it
+/// The covered area of a pixel that outlines pass several times, or an integral from which the area
 /// follows by area_inside().
 double band_cells::exact(std::size_t at, std::uint32_t visits, const std::array<double, 2>& sums) {
     // Each visit adds at most 1 to the sum. So the winding number is above 0 everywhere in the

@@ -18,10 +18,10 @@ namespace l3d_detail {
 
 /// Finds the covered area of each pixel in a band of rows.
 ///
-/// Each edge adds its signed area to the pixels that it passes. Their sum is the integral of the
-/// winding number. If only one outline passes a pixel, and once, the winding number has two
-/// consecutive values there, so the integral tells the area. Some of the other pixels are surely
-/// covered, as the sum is large; the rest go to pixel_area.
+/// Each edge adds its signed area to the pixels that it passes. In a pixel, the sum of these areas
+/// is the integral of the winding number. If only one outline passes a pixel, and once, the winding
+/// number has two consecutive values there, so the integral tells the area. Some of the other
+/// pixels are surely covered, as the sum is large; the rest go to pixel_area.
 /// Cost:    linear in the pixels that edges pass, and in the band's pixels, an eighth of an
 ///          operation each. Allocates when a band is larger, or has more edges, than ever before.
 class band_cells {
@@ -38,6 +38,7 @@ public:
     void begin_band(std::int32_t top, std::int32_t bottom);
 
     /// Adds the edges of an outline from corner to corner, as far as they reach into the band.
+    /// `all` is the array of all corners, `blocks` that of all blocks.
     /// Expects: `all` stays until write() has returned.
     void add(const path_chains::outline& outline, const l3d_point_2d* all,
              const path_chains::block* blocks);
@@ -46,7 +47,7 @@ public:
     void write(span_writer& to);
 
 private:
-    /// The number of pixels whose values are found together.
+    /// The number of pixels whose values of coverage are found together.
     static constexpr std::size_t group = 8;
     /// The sums over all edges in a pixel. `cover` is the integral, along the pixel's right side,
     /// of the winding number that they add; `area` is the integral over the pixel. `visits` counts
@@ -54,7 +55,7 @@ private:
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;
-        std::uint32_t last = 0; ///< the pixel's last record; 0 for none
+        std::uint32_t last = 0; ///< index in records_ of the edge that was added last; 0 for none
     };
     struct walk;
 
@@ -66,7 +67,7 @@ private:
 
     fill_rules rules_;
     std::int32_t left_ = 0, right_ = 0, rows_ = 0, top_ = 0, bottom_ = 0;
-    std::size_t stride_ = 0; ///< cells of a row, whole groups of `group`
+    std::size_t stride_ = 0; ///< cells of a row, a multiple of `group`
     std::array<std::vector<cell>, 2> cells_;
     kept_list<edge_record> records_;
     std::vector<std::uint64_t> groups_; ///< for each row, the groups that edges pass, as bits

@@ -22,22 +22,22 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The values where two chains pass through rows: a window for each chain and row.
+/// The values of the pixels near two chains: a window for each chain and row.
 struct row_windows {
     window left, right;
     alignas(64) double heights[rows];
-    std::int32_t others[rows]; ///< not 0: the caller fills this row
-    std::int32_t joint[rows];  ///< not 0: the chains share columns
+    std::int32_t others[rows]; ///< for each row, not 0: the caller fills this row
+    std::int32_t joint[rows];  ///< for each row, not 0: the chains' windows share columns
     /// The fields of each row's covered_span, if the chains share no columns.
-    alignas(64) std::int32_t begins[rows][4]; ///< row, first, between, beyond
-    std::int32_t ends[rows][2];               ///< last, value
+    alignas(64) std::int32_t begins[rows][4]; ///< covered_span's row, first, between and beyond
+    std::int32_t ends[rows][2];               ///< covered_span's last and value
     /// Whether each row has one group of values on either side, and a middle that is long enough
-    /// for a span. If so, `groups` holds these values.
+    /// for a span. If so, `groups` holds these values of the windows.
     bool alike = true;
     std::int32_t groups[rows][2];
 };
 
-/// The first value of a window and the one after its last. The values form whole groups.
+/// The columns of a window's first value, and after its last. The values form whole groups.
 struct window_ends {
     integers first, end;
 
@@ -53,7 +53,7 @@ struct window_ends {
     }
 };
 
-/// The number of columns with values that take as long as a span.
+/// The number of columns with a value each that take as long to draw as one more span.
 constexpr std::int32_t few_columns = 32;
 
 /// Finds the ends of the windows. Returns whether the two windows of any row share columns.
@@ -74,7 +74,8 @@ HWY_ATTR HWY_INLINE bool find_ends(const side_pair& pair, const row_heights& y,
     return !hn::AllFalse(di, joint);
 }
 
-/// Fills the windows of the lanes from begin + at on. `begin` is above 0 only for straight chains.
+/// Finds the windows of the rows in lanes from begin + at on. `begin` is above 0 only for straight
+/// chains.
 HWY_ATTR HWY_INLINE void find_windows(const side_pair& pair, std::size_t begin, std::size_t at,
                                       row_windows& result) {
     const eight_doubles d;
@@ -115,7 +116,7 @@ HWY_ATTR HWY_INLINE void find_windows(const side_pair& pair, std::size_t begin, 
                           hn::Load(di, &result.right.words[0][at]), di, result.groups[at]);
 }
 
-/// Copies a row's values.
+/// Copies the values of a window's row to `values`.
 HWY_INLINE void put_words(const window& from, std::size_t row, std::uint8_t* values) {
     std::memcpy(values, &from.words[0][row], group);
     for (std::size_t used = group; used < static_cast<std::size_t>(from.used[row]); used += group)
@@ -146,7 +147,7 @@ HWY_INLINE covered_span span_of(const row_windows& windows, std::size_t row, std
     return {y, first, between, beyond, last, value, place};
 }
 
-/// Makes the spans of rows that are all alike, see row_windows::alike.
+/// Makes the spans of all rows, if row_windows::alike.
 HWY_INLINE void put_alike(const row_windows& windows, pair_spans& to) {
     std::memcpy(to.values + to.value_count, windows.groups, sizeof(windows.groups));
     covered_span* const span = to.spans + to.span_count;
@@ -157,8 +158,7 @@ HWY_INLINE void put_alike(const row_windows& windows, pair_spans& to) {
     to.value_count += sizeof(windows.groups);
 }
 
-/// Makes the spans of the rows from a lane on. Returns the rows that are left to the caller, as
-/// bits.
+/// Makes the spans of the rows from a lane on. Returns the rows that the caller fills, as bits.
 std::uint32_t put_rows(const side_pair& pair, std::size_t begin, const row_windows& windows,
                        pair_spans& to) {
     const side_pair p = pair; // a copy: for the compiler, `values` may overlap `pair`

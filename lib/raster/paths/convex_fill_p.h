@@ -12,7 +12,8 @@
 
 namespace l3d_detail {
 
-/// A chain in a block of neighbouring rows of pixels. Each lane is a row.
+/// A chain, one side of an area, laid out in a block of neighbouring rows of pixels. Each lane is a
+/// row.
 /// Units:   pixels; row r from y = r to r + 1.
 struct side_block {
     static constexpr std::size_t rows = 8;
@@ -34,8 +35,7 @@ struct side_block {
     /// The limit of corners in a row for the lanes. Rows with more are left to slower code, as all
     /// lanes wait for the one with the most corners.
     double few_corners;
-    /// The edge that is the chain in all rows, if `straight`. Then the members above have no
-    /// meaning.
+    /// If `straight`, the edge that is the chain in all rows; then the lanes above have no meaning.
     straight_edge edge;
     bool straight;
 };
@@ -46,8 +46,8 @@ public:
     /// Begins at the top of a chain. Expects: the chain has not entered a row yet.
     side_walk(const chain& of, const l3d_point_2d* corners);
 
-    /// The heights at which the chain begins and ends. Level edges at its ends are left out, as
-    /// they bound no area.
+    /// The heights at which the chain begins and ends. Horizontal edges at its ends are left out,
+    /// as they bound no area.
     double begin() const { return begin_; }
     double end() const { return (behind_ - step_)->y; }
 
@@ -61,7 +61,7 @@ public:
     ///          beyond the chain's end.
     void lay_out(std::int32_t row, std::size_t count, side_block& block);
 
-    /// x at the place that the walk has reached.
+    /// The x of the place that the walk has reached.
     double x() const { return x_; }
 
     /// The part of the chain in a row of a block.
@@ -80,13 +80,14 @@ private:
     const l3d_point_2d* edge_end_ = nullptr;
 };
 
-/// Two chains in the same rows, the left one first, and the place of the spans between them.
+/// Two chains in the same rows, the left one first, and the place in the picture of the spans
+/// between them.
 struct side_pair {
     std::array<const side_block*, 2> blocks;
     /// The heights at which both chains begin and end.
     double begin, end;
-    /// The first row, and the number of rows. They exceed a block's only if both chains are
-    /// straight.
+    /// The first row, and the number of rows. There are more rows than in a block only if both
+    /// chains are straight.
     std::int32_t row;
     std::size_t count;
     /// The visible columns are 0 to width - 1.
@@ -99,11 +100,11 @@ struct side_pair {
 
 /// Memory for spans and their values.
 struct pair_spans {
-    static constexpr std::size_t most_values = 64; ///< limit of values in a row
+    static constexpr std::size_t most_values = 64; ///< the limit of values in a row of a span
 
     covered_span* spans;       ///< room for one span in each row
     std::uint8_t* values;      ///< room for most_values in each row
-    std::size_t values_before; ///< the index that the first value gets
+    std::size_t values_before; ///< the index that spans give to the first element of `values`
     std::size_t span_count = 0, value_count = 0;
 };
 

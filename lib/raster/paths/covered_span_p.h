@@ -11,19 +11,21 @@
 
 namespace l3d_detail {
 
-/// A run of columns first <= column < last in a row. They share one value, or have a value each.
+/// The coverage of columns first <= column < last in a row. The columns share one value, or have a
+/// value each.
 struct covered_run {
     std::int32_t row, first, last;
-    std::int32_t value; ///< value of all columns; -1: each has its own
-    std::size_t values; ///< index of the first column's value, if each has its own
+    std::int32_t value; ///< value of all columns; -1: each column has a value of its own
+    std::size_t values; ///< index of the first column's value, if each column has its own
 };
 
 /// The coverage of columns first <= column < last in a row. Columns before `between`, and from
-/// `beyond` on, have a value each; the columns in the middle share one.
+/// `beyond` on, have a value each; the columns in the middle share one value.
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
-    std::int32_t value; ///< value of the columns in the middle
-    /// Index of the first value: those before `between`, then those from `beyond`.
+    std::int32_t value; ///< the value of each column in the middle
+    /// Index of the span's first value. The values of columns before `between` come first, and
+    /// those of columns from `beyond` on follow.
     std::size_t values;
 
     std::size_t values_before() const { return static_cast<std::size_t>(between - first); }
@@ -39,7 +41,8 @@ struct covered_span {
     }
 };
 
-/// A list that keeps its memory, and does not set it to 0 before use.
+/// A list that keeps its memory when its items are removed, and does not set memory to 0 before
+/// use.
 template <class T> class kept_list {
 public:
     void clear() { used_ = 0; }
@@ -56,7 +59,7 @@ public:
         *room(1) = last;
         use(1);
     }
-    /// Keeps only the first items of the list. Expects: the list has so many.
+    /// Keeps only the first items of the list. Expects: the list has so many items.
     void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
     T& operator[](std::size_t i) { return room_[i]; }

@@ -120,7 +120,8 @@ public:
     }
 
 private:
-    static constexpr std::int64_t whole = 1 << 20; ///< the number of shortest steps in a curve
+    /// The number of steps in a curve if all are as short as possible.
+    static constexpr std::int64_t whole = 1 << 20;
 
     double change() const {
         const auto most = [](const l3d_forward_difference<double, 3>& d) {
@@ -159,8 +160,8 @@ inline double pixel_steps(const l3d_curve_2d& curve) {
     return 3 * (place + reach * weight) / least;
 }
 
-/// Adds the pixels nearest to the points of a curve to a run. The run ends where the curve is out
-/// of sight.
+/// Adds the pixels nearest to the points of a curve to a run. The run ends where the curve is
+/// outside of the box `seen`.
 template <class Run> void walk_curve(const l3d_curve_2d& curve, const seen_box& seen, Run& run) {
     if (seen.misses(curve))
         return run.end();

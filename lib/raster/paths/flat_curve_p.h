@@ -22,7 +22,8 @@ inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
     return {p[0] / p[2], p[1] / p[2]};
 }
 
-/// The box in which points are seen. Units: pixels.
+/// The box in which a path is seen. Parts of curves outside of it need no fine chords. Units:
+/// pixels.
 struct seen_box {
     double left, top, right, bottom;
 
@@ -56,8 +57,9 @@ struct flat_plan {
 /// both sides alike. NUMERICS.md, section 20.
 flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
 
-/// The length of the first and the last step, in units of the other steps' length. They differ
-/// because the curve's own ends stay in place. The value is (1 + sqrt 2) / sqrt 8.
+/// The length of the first and the last step, in units of the other steps' length. These two steps
+/// differ from the others because the curve's own ends stay in place. The value is (1 + sqrt 2) /
+/// sqrt 8.
 inline constexpr double flat_step_at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
 
 /// The length of a step in the curve's parameter, except for those at the ends.
@@ -72,7 +74,7 @@ inline constexpr std::size_t most_flat_steps = 64;
 /// The number of points that are computed together.
 inline constexpr std::size_t flat_points_at_once = 8;
 
-/// Finds the ends between a curve's chords, one fewer than `steps`.
+/// Finds the points at which a curve's chords meet, one fewer than the `steps` chords.
 /// Shape:   `points` has room for flat_points_at_once more.
 void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d* points);
 
@@ -80,8 +82,8 @@ void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d
 /// as setting it up takes as long as a short curve.
 using flat_room = std::array<l3d_point_2d, most_flat_steps + flat_points_at_once>;
 
-/// Divides a curve into chords, and calls lines(points) for their ends, some at a time. A part that
-/// is out of sight becomes one chord.
+/// Divides a curve into chords, and calls lines(points) for their ends, some at a time. A part
+/// outside of the box `seen` becomes one chord.
 template <class Lines>
 void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, flat_room& room,
              const Lines& lines) {

@@ -16,8 +16,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A coordinate of points beside a curve. It is a cubic, too: the curve's coordinate, reduced by
-/// h^2 / 16 times its second derivative, where h is the step.
+/// A coordinate of points beside a curve. The coordinate is a cubic, too: the curve's coordinate,
+/// reduced by h^2 / 16 times its second derivative, where h is the step.
 struct moved_cubic {
     double a, b, c, d;
 

@@ -94,7 +94,8 @@ l3d_gradient::numbers l3d_gradient::piece::at(double place) const {
     return result;
 }
 
-/// Returns the piece that a place lies in, and sets the place within its period.
+/// Returns the piece that a place of the gradient lies in, and sets `in_period` to the place within
+/// its period.
 const l3d_gradient::piece& l3d_gradient::piece_at(double place, double& in_period) const {
     in_period = period_ > 0 ? place - period_ * std::floor(place / period_) : place;
     const auto found = std::ranges::upper_bound(pieces_, in_period, {}, &piece::to);
@@ -107,9 +108,9 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
     return of_first == &piece_at(to, last) && last - first >= (to - from) / 2;
 }
 
-/// Adds the integral of the colours from one place to another, times a linear weight. The colours
-/// are red, green and blue, each times alpha, and alpha. Within a piece they are at most quadratic,
-/// and cubic with the weight. So two Gauss points are exact.
+/// Adds the integral of the colours from one place to another, times a linear weight. The numbers
+/// of a colour are red, green and blue, each times alpha, and alpha. Within a piece, these numbers
+/// are at most quadratic, and cubic with the weight. So two Gauss points are exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
     const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;
@@ -127,8 +128,8 @@ void l3d_gradient::add_in_period(double from, double to, double weight_from, dou
     }
 }
 
-/// Adds the integral over any number of periods. All whole periods are added as one, with the sum
-/// of their weights.
+/// Adds the integral over any number of periods. All whole periods are added as one period, with
+/// the sum of their weights.
 void l3d_gradient::add(double from, double to, double weight_from, double weight_to,
                        numbers& sum) const {
     if (period_ == 0)

@@ -16,22 +16,22 @@
 /// A colour at a place along a gradient.
 struct L3D_PUBLIC l3d_color_stop {
     double at = 0;       ///< place: from 0, the beginning, to 1, the end
-    l3d_color color = 0; ///< 0x00RRGGBB
+    l3d_color color = 0; ///< the colour, 0x00RRGGBB
     double alpha = 1;    ///< opacity: from 0, invisible, to 1, opaque
 };
 
 /// The continuation of a gradient before its beginning and behind its end.
 enum class L3D_PUBLIC l3d_spread {
-    pad,    ///< the first and the last stop's colour
-    repeat, ///< the gradient again, from 0 to 1
+    pad,    ///< beyond both ends, the colour of the nearest stop
+    repeat, ///< the gradient again and again, from 0 to 1
     reflect ///< the gradient backwards and forwards by turns
 };
 
 /// Colours that change along a line, or from a place outwards.
 ///
 /// Red, green, blue and alpha are each linear between two stops, in the coded values of pixel
-/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. That
-/// holds also where stops jump or a gradient repeats within a pixel.
+/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. It
+/// gets this mean also where stops jump or a gradient repeats within the pixel.
 ///
 /// A linear gradient is exact. A radial one is taken as linear in each of up to 32 x 32 parts of
 /// the square. So a place where stops jump moves by less than 1/512 pixel, if it is more than 1/8
@@ -54,7 +54,7 @@ public:
         return radial(center, radius, center, stops, spread);
     }
     /// Makes a gradient from a focus to a circle: along each ray, the gradient goes from 0 at the
-    /// focus to 1 on the circle. A focus that is not inside of the circle is moved there, to 1 -
+    /// focus to 1 on the circle. A focus that is not inside of the circle is moved into it, to 1 -
     /// 2^-10 of the radius.
     /// Expects: stops in order, at least one; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius, l3d_point_2d focus,
@@ -75,7 +75,7 @@ private:
 
     /// The colours between two neighbouring stops: linear from one end to the other.
     struct piece {
-        double from, to; ///< places along the gradient; infinite at the ends of a padded one
+        double from, to; ///< places along the gradient; infinite at the ends of a padded gradient
         numbers begin, end;
 
         numbers at(double place) const;
@@ -84,7 +84,7 @@ private:
     /// The change of the place in the gradient over a square of the picture.
     struct slope {
         double place;
-        double right, down; ///< change over the square's width, and over its height
+        double right, down; ///< change of the place over the square's width, and over its height
     };
 
     l3d_gradient(std::span<const l3d_color_stop> stops, l3d_spread spread);
@@ -101,10 +101,11 @@ private:
 
     bool radial_ = false;
     bool is_opaque_ = true;
-    double steepest_ = 0;        ///< steepest change, in levels per unit of the gradient's place
+    /// The steepest change of a channel, in levels per unit of the gradient's place.
+    double steepest_ = 0;
     l3d_placement_2d to_unit_{}; ///< maps a linear gradient to x from 0 to 1, a circle to radius 1
     double narrowest_ = 1, widest_ = 1; ///< the least and the largest scale of to_unit_
-    l3d_point_2d focus_{};              ///< focus, in to_unit_'s coordinates
+    l3d_point_2d focus_{};              ///< the focus, mapped by to_unit_
     double period_ = 0;                 ///< length after which the gradient repeats; 0 if padded
     std::vector<piece> pieces_;         ///< the pieces of one period, without gaps
 };
@@ -115,7 +116,7 @@ private:
 ///          (0, 0), (1, 0), (0, 1), (1, 1), bilinear between these corners.
 struct L3D_PUBLIC l3d_mesh_patch {
     std::array<std::array<l3d_point_2d, 4>, 4> points; ///< control points, in pixels
-    std::array<std::uint32_t, 4> colors{};             ///< 0x00RRGGBB
+    std::array<std::uint32_t, 4> colors{};             ///< the colours at the corners, 0x00RRGGBB
 
     /// Makes a Coons patch, as in PDF shadings of type 6. Its inner control points follow from its
     /// borders.

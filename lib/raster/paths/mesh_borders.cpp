@@ -18,7 +18,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// The coordinates of four control points.
+/// The x and y of a border's four control points.
 using border = std::array<double, 8>;
 
 border backwards(const border& of) {

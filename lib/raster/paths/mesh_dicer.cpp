@@ -18,7 +18,7 @@ namespace {
 
 static_assert(mesh_row::room >= hn::MaxLanes(eight_doubles()));
 
-/// The sum of four products. Both arrays backwards give the same sum, bit for bit.
+/// The sum of four products. If the order of both arrays is reversed, the sum has the same bits.
 HWY_ATTR HWY_INLINE number mixed(const std::array<double, 4>& p, const std::array<number, 4>& w) {
     return (same(p[0]) * w[0] + same(p[3]) * w[3]) + (same(p[1]) * w[1] + same(p[2]) * w[2]);
 }

@@ -20,7 +20,7 @@ struct mesh_corner {
     std::array<double, 3> color; ///< red, green, blue, from 0 to 255
 };
 
-/// A row of corners, with an array for each coordinate and channel.
+/// A row of corners of a patch's cells, with an array for each coordinate and channel.
 /// Shape:   `size` corners, and `room` more that lanes may read past the last.
 struct mesh_row {
     static constexpr std::size_t room = mesh_knots::room;
@@ -44,10 +44,10 @@ struct mesh_curve {
 /// A cell of a patch, between two steps along u and two along v.
 struct mesh_cell {
     std::array<mesh_corner, 4> corners; ///< corners at the cell's (0, 0), (1, 0), (0, 1), (1, 1)
-    bool rises;                         ///< whether its diagonal goes from (0, 1) to (1, 0)
+    bool rises;                         ///< whether the cell's diagonal goes from (0, 1) to (1, 0)
 
-    /// The corners of the cell's two triangles, the one above the diagonal first. The first and the
-    /// last corner of each are on the diagonal.
+    /// The corners of the cell's two triangles, the triangle above the diagonal first. The first
+    /// and the last corner of each are on the diagonal.
     std::array<std::array<std::size_t, 3>, 2> triangles() const {
         if (rises)
             return {{{2, 0, 1}, {1, 3, 2}}};
@@ -55,7 +55,8 @@ struct mesh_cell {
     }
 };
 
-/// A strip of cells between two rows of corners. Its triangles have the order of the PDF standard.
+/// A strip of cells between two rows of corners. The strip's triangles are in the order in which
+/// the PDF standard paints them.
 struct mesh_strip {
     const mesh_row &above, &below;
     const std::vector<double>& rises; ///< whether each cell's diagonal rises, 1 or 0
@@ -107,7 +108,8 @@ private:
     std::span<const l3d_mesh_patch> patches_;
     std::vector<mesh_dicing> dicings_;
     mesh_knots along_, down_;
-    std::vector<double> rises_; ///< with room for more lanes, as rows have
+    /// For each cell of a strip, whether its diagonal rises; has room for more lanes, as mesh_row.
+    std::vector<double> rises_;
     mesh_row above_, below_;
 };
 

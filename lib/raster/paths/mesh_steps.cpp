@@ -11,10 +11,10 @@ namespace l3d_detail {
 namespace {
 
 /// The largest errors of a dicing. A colour may be `place_error` pixels from its place on the
-/// patch. A linear colour may be `level_error` levels from the bilinear one.
+/// patch. A linear colour may be `level_error` levels from the bilinear colour.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
-/// The largest number of steps in a quarter. With as many, each triangle of a patch covers some
-/// 2^-5 pixels in pictures of 2^14 pixels a side.
+/// The largest number of steps in a quarter. With so many steps, each triangle of a patch covers
+/// some 2^-5 pixels in pictures of 2^14 pixels a side.
 constexpr int most_steps = 128;
 
 /// One coordinate of a bicubic patch's control points, or of the control vectors of its second
@@ -22,13 +22,14 @@ constexpr int most_steps = 128;
 using curve = std::array<double, 4>;
 using net = std::array<curve, 4>;
 
-/// Both coordinates, and a function that is applied to each.
+/// The nets of both coordinates, x and y.
 using nets = std::array<net, 2>;
 template <class Function> auto of_both(const nets& of, const Function& function) {
     return std::array{function(of[0]), function(of[1])};
 }
 
-/// Raises the degree of a curve's control vectors to that of a cubic.
+/// The four control numbers of a cubic that equals the curve with control numbers a and b: raises
+/// the degree.
 curve as_cubic(double a, double b) {
     const double step = (b - a) / 3;
     return {a, a + step, a + 2 * step, b};
@@ -49,7 +50,7 @@ net turned(const net& p) {
     return result;
 }
 
-/// The control vectors of Suu. With a turned net, the result is Svv, turned.
+/// The control vectors of Suu. For the transposed net, the result is Svv, transposed.
 net along_rows(const net& p) {
     net result;
     for (std::size_t r = 0; r < 4; ++r)
@@ -57,7 +58,7 @@ net along_rows(const net& p) {
     return result;
 }
 
-/// The control vectors of Suv, turned.
+/// The control vectors of Suv, transposed.
 net twist_of(const net& p) {
     net rows; // three rows, cubics along u
     for (std::size_t r = 0; r < 3; ++r) {
@@ -103,7 +104,8 @@ double longest(const nets& of) {
 }
 
 /// The largest x y a + y z b + z x c for x, y, z >= 0 with the sum 1. If one of a, b and c is at
-/// least the sum of the others, the largest value is in the middle of that one's side, else inside.
+/// least the sum of the other two, the largest value is in the middle of the triangle's side to
+/// which this number belongs, else inside.
 double largest_mix(double a, double b, double c) {
     const double most = std::max({a, b, c});
     if (2 * most >= a + b + c)
@@ -117,7 +119,7 @@ double largest_mix(double a, double b, double c) {
 /// Steps of equal length, at most 1 / `steps`, that are short enough for a part of a patch.
 struct needed_steps {
     double steps;
-    bool rising; ///< cells are cut along the rising diagonal
+    bool rising; ///< whether cells are cut along the rising diagonal
 };
 
 /// The steps that keep places within place_error. A linear triangle errs by at most half of the
@@ -143,7 +145,7 @@ needed_steps steps_for_places(const nets& along, const nets& down, const nets& t
 }
 
 /// The steps that keep colours within level_error. In a cell of side h, linear colours err by at
-/// most h^2 / 4 times the twist of the bilinear ones.
+/// most h^2 / 4 times the twist of the bilinear colours.
 double steps_for_colors(const l3d_mesh_patch& patch) {
     int most = 0;
     for (const int shift : {0, 8, 16}) {

@@ -27,7 +27,7 @@ struct mesh_steps {
     std::array<int, 4> of_quarter{1, 1, 1, 1};
 
     bool is_quartered() const { return whole > few; }
-    /// Raises the numbers of steps to those of another border, where these are larger.
+    /// Raises these numbers of steps to another border's numbers of steps, where those are larger.
     void cover(const mesh_steps& other);
     /// The same steps for the parameter that runs in the opposite direction.
     mesh_steps backwards() const;
@@ -42,23 +42,25 @@ struct mesh_knots {
 
     std::size_t size = 0;
     std::vector<double> at;
-    std::array<std::vector<double>, 4> weights; ///< values of the four cubic Bernstein polynomials
-    std::vector<std::size_t> quarter;           ///< the quarter that holds the step that ends here
+    /// Values of the four cubic Bernstein polynomials at the knots.
+    std::array<std::vector<double>, 4> weights;
+    /// For each knot, the quarter that holds the step which ends at the knot.
+    std::vector<std::size_t> quarter;
 
     void set(const mesh_steps& steps);
 };
 
 /// The way in which triangles of a mesh get the colours between their corners.
 enum class mesh_colors {
-    linear,  ///< linear between the corners' colours
+    linear,  ///< linear functions between the colours of the triangle's corners
     bilinear ///< the patch's bilinear colours, at parameters that are linear between the corners'
 };
 
 /// The way in which a patch is diced.
 struct mesh_dicing {
-    mesh_steps along, down; ///< along u and along v
+    mesh_steps along, down; ///< the steps along u, and the steps along v
     /// The cells' diagonals. If bit 4 r + c is set, cells in row r and column c of the quarters
-    /// have diagonals from (1, 0) to (0, 1). Otherwise they go from (0, 0) to (1, 1).
+    /// have diagonals from (1, 0) to (0, 1). Otherwise the diagonals go from (0, 0) to (1, 1).
     std::uint16_t rising = 0;
 
     bool rises(std::size_t row, std::size_t column) const {

@@ -37,14 +37,16 @@ constexpr double most_change = 4096.0 / (small_side * l3d_subpixel_one);
 /// The largest difference of a bilinear colour from the linear one, anywhere in a triangle's box.
 constexpr double most_bend = 4096;
 
-/// Triangles that are set up, one in each element.
+/// Triangles after their set-up. Element i of each innermost array belongs to triangle i.
 struct set_up_triangles {
     using integers_of_all = std::array<std::int32_t, most_lanes>;
     using floats_of_all = std::array<float, most_lanes>;
 
     alignas(64) integers_of_all state, left, top, columns, rows;
-    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row; ///< edge functions
-    alignas(64) std::array<floats_of_all, 3> start, across, down;          ///< linear colours
+    /// The edge functions of a triangle's three sides, as in small_edge.
+    alignas(64) std::array<integers_of_all, 3> first, per_column, per_row;
+    /// The linear functions that give red, green and blue.
+    alignas(64) std::array<floats_of_all, 3> start, across, down;
     /// The twist of a bilinear colour. At each place, it adds `twist` times the shares of the two
     /// corners on the diagonal to the linear colour.
     alignas(64) std::array<floats_of_all, 3> twist;
@@ -62,7 +64,8 @@ struct set_up_triangles {
     }
 };
 
-/// The words of a triangle whose colours are bilinear: quadratic down each column.
+/// Makes the pixel words of a triangle with bilinear colours, which are quadratic functions down
+/// each column.
 template <class Lanes> class bilinear_colors {
 public:
     HWY_INLINE bilinear_colors(const set_up_triangles& of, std::size_t triangle)
@@ -105,8 +108,9 @@ public:
 private:
     using floats_of_all = set_up_triangles::floats_of_all;
 
-    /// From this number on, floats are whole numbers. So adding it to a level rounds the level to
-    /// the nearest, and leaves it in the lowest bits. All other bits are in the highest byte.
+    /// From this number on, floats are whole numbers. So adding this number to a level rounds the
+    /// level to the nearest, and leaves it in the lowest bits. All other bits are in the highest
+    /// byte.
     static constexpr float whole_floats = 0x1p23F;
 
     static constexpr auto floats = Lanes::floats;
@@ -132,7 +136,7 @@ HWY_ATTR HWY_INLINE condition both(condition a, condition b) {
     return hn::And(a, b);
 }
 
-/// A corner of each triangle. Units: 1/256 pixel, whole ones.
+/// A corner of the triangle in each lane. Units: 1/256 pixel, whole numbers.
 struct lane_corner {
     number x, y;
     std::array<number, 3> color;
@@ -157,7 +161,7 @@ HWY_ATTR HWY_INLINE lane_corner corners_of(const mesh_row& row, std::size_t i) {
             {from(row.color[0]), from(row.color[1]), from(row.color[2])}};
 }
 
-/// The range of three coordinates.
+/// The range of the three corners' coordinates along one axis.
 struct lane_range {
     number low, high;
 
@@ -188,12 +192,14 @@ HWY_ATTR HWY_INLINE void put_edge(const lane_corner& from, const lane_corner& to
     put(dx * same(l3d_subpixel_one), out.per_row[k]);
 }
 
-/// A function that is linear over triangles whose corners are relative to the first sample.
+/// A linear function over the triangle in each lane, whose corners are relative to the first
+/// sample.
 struct lane_plane {
-    number start, across, down; ///< changes per lattice unit
+    number start, across, down; ///< the value at the first sample, and the changes per lattice unit
 };
 
-/// The numbers that all planes of a triangle have in common.
+/// The numbers that all planes of a triangle have in common, for making lane_planes of its corners'
+/// values.
 struct lane_planes {
     number px, py, qx, qy, rx, ry, scale;
 

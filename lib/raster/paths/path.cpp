@@ -16,7 +16,8 @@ void l3d_path::move_to(l3d_point_2d to) {
     open_ = true;
 }
 
-/// Begins an outline if none is open. After close, it begins where the closed one began.
+/// Begins an outline if none is open. After close, the new outline begins where the closed one
+/// began.
 void l3d_path::begin_if_needed() {
     if (!open_)
         move_to(first_);
@@ -91,8 +92,8 @@ void l3d_path::arc_to(l3d_point_2d center, l3d_point_2d radii, double turn, doub
     }
 }
 
-/// Adds four arcs, whose ends need no sines. With w the cosine of an eighth of a turn, inner points
-/// are 2 w / (1 + 2 w) = 2 - sqrt 2 along the tangents.
+/// Adds four arcs of a quarter each, whose ends need no sines. With w the cosine of an eighth of a
+/// turn, inner points are 2 w / (1 + 2 w) = 2 - sqrt 2 along the tangents.
 void l3d_path::add_circle(l3d_point_2d center, double radius) {
     constexpr double along = 2 - std::numbers::sqrt2, weight = (1 + std::numbers::sqrt2) / 3;
     const auto at = [&](double x, double y) {

@@ -25,9 +25,9 @@
 /// Expects: weights above 0.
 using l3d_curve_2d = l3d_bezier_curve<double, 3>;
 
-/// The largest distance of a drawn curve from the exact one, in pixels. Two pixels' length of
-/// curves with such errors changes a pixel's coverage by less than 1 / 255, with rounding to 8
-/// bits. See NUMERICS.md, section 20.
+/// The largest distance of a drawn curve from the exact one, in pixels. If the curves in a pixel
+/// are two pixels long together, these errors and rounding to 8 bits change its coverage by less
+/// than 1 / 255. See NUMERICS.md, section 20.
 inline constexpr double l3d_flat_enough = 1.0 / 1024;
 
 /// A path: outlines that begin with move_to, and continue with lines and curves.
@@ -41,10 +41,10 @@ class L3D_PUBLIC l3d_path {
 public:
     /// The kind of a piece. Each kind's comment tells how many points a piece adds.
     enum class kind : std::uint8_t {
-        move,  ///< 1 point: an outline begins
-        line,  ///< 1 point
-        curve, ///< 3 points, with weights
-        close  ///< 0 points: back to the outline's beginning
+        move,  ///< 1 point: the beginning of an outline
+        line,  ///< 1 point: the line's end
+        curve, ///< 3 points with weights: two control points and the curve's end
+        close  ///< 0 points: a line back to the outline's beginning
     };
 
     /// Begins a new outline at a point.
@@ -91,7 +91,8 @@ public:
 
     /// Calls visit.move(point), visit.line(point), visit.curve(l3d_curve_2d) and visit.close() for
     /// the pieces in order. Coordinates beyond +-2^30 are clamped to it. If the visitor has a
-    /// function lines(std::span<const l3d_point_2d>), this gets many lines at once.
+    /// function lines(std::span<const l3d_point_2d>), that function gets the ends of many lines at
+    /// once.
     template <class Visitor> void visit(Visitor& visitor) const;
 
 private:
@@ -118,9 +119,9 @@ private:
 
     std::vector<kind> kinds_;
     std::vector<l3d_point_2d> points_;
-    std::vector<double> weights_; ///< three for each curve
+    std::vector<double> weights_; ///< the weights of curves, three for each curve
     l3d_point_2d first_{}, last_{};
-    bool open_ = false; ///< whether an outline is open
+    bool open_ = false; ///< whether an outline was begun and not closed
 };
 
 template <class Visitor> void l3d_path::visit(Visitor& visitor) const {
@@ -167,8 +168,8 @@ template <class Visitor> void l3d_path::visit(Visitor& visitor) const {
 }
 
 /// Evenly spaced points of a circle: the corners of a regular polygon with `resolution` sides. The
-/// first is the rightmost, the next ones go towards larger y. The first one is not repeated at the
-/// end.
+/// first corner is the rightmost one, and the next ones go towards larger y. The first corner is
+/// not repeated at the end.
 /// Expects: resolution >= 1.
 inline std::vector<l3d_point_2d> l3d_sampled_circle(l3d_point_2d center, double radius,
                                                     int resolution) {
@@ -196,37 +197,38 @@ inline std::vector<l3d_point_2d> l3d_sampled_quadratic(l3d_point_2d from, l3d_po
 
 /// The shape of the ends of open outlines and dashes.
 enum class L3D_PUBLIC l3d_cap {
-    butt,  ///< cut off at the end of the outline
-    round, ///< half a disc beyond the end
-    square ///< half a square beyond the end
+    butt,  ///< the stroke is cut off at the outline's end
+    round, ///< the stroke goes on by half a disc beyond the end
+    square ///< the stroke goes on by half a square beyond the end
 };
 
 /// The shape of a corner where two pieces of an outline meet.
 enum class L3D_PUBLIC l3d_join {
-    miter, ///< both sides extended until they meet; bevel beyond the miter limit
-    round, ///< a disc around the corner
-    bevel  ///< straight from the end of one side to the beginning of the next
+    miter, ///< both outer sides are extended until they meet; beyond the miter limit, as bevel
+    round, ///< the corner is covered by a disc around it
+    bevel  ///< a straight line joins the ends of both outer sides
 };
 
 /// The pen that strokes a path.
 struct L3D_PUBLIC l3d_stroke {
-    double width = 1;                ///< in pixels; more than 2^30 counts as 2^30
-    l3d_cap cap = l3d_cap::butt;     ///< shape of ends
-    l3d_join join = l3d_join::miter; ///< shape of corners
+    double width = 1;                ///< the pen's width in pixels; more than 2^30 counts as 2^30
+    l3d_cap cap = l3d_cap::butt;     ///< the shape of the ends of outlines and dashes
+    l3d_join join = l3d_join::miter; ///< the shape of corners
     /// The longest miter, from the inner to the outer corner, in multiples of the pen's width.
     double miter_limit = 4;
     /// Lengths of a dash, a gap, a dash and so on, repeated; empty: no gaps. With an odd number of
     /// lengths, dashes and gaps change places in each repetition.
     /// Units: pixels along the path.
     std::vector<double> dashes{};
-    double dash_begin = 0; ///< distance into the dashes at which an outline begins, in pixels
+    /// The distance into the pattern of dashes at which an outline begins, in pixels.
+    double dash_begin = 0;
 };
 
 /// The outline of the area that a pen covers along a path. Fill it with l3d_winding::nonzero.
 ///
 /// Curves become chords within l3d_flat_enough. Chords of a curve meet in round joins, so the
-/// covered area along the curve is within twice that distance. Ends of curves, and ends of dashes
-/// on curves, are square to the curve.
+/// border of the covered area along the curve is within twice l3d_flat_enough. Ends of curves, and
+/// ends of dashes on curves, are square to the curve.
 ///
 /// A corner that turns very little has one point on either side, whatever the join: a disc's arc
 /// there is within l3d_flat_enough of its chord. Other round joins, and round caps, become chords
@@ -240,7 +242,7 @@ struct L3D_PUBLIC l3d_stroke {
 /// Expects: numbers; width at least 0; lengths of dashes at least 0, with a sum of 1e-3 or more.
 ///          Otherwise the result is empty.
 /// Cost:    linear in chords and dashes, of which there are at most 10^6. If a path would have
-///          more, those outside of a picture of the largest size are left out first.
+///          more, chords and dashes outside of a picture of the largest size are left out first.
 L3D_PUBLIC l3d_path l3d_stroked(const l3d_path& path, const l3d_stroke& pen);
 
 #endif

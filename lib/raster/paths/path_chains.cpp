@@ -80,8 +80,8 @@ void path_chains::cut_at_sides() {
     }
 }
 
-/// Ends an outline, and cuts it into blocks and perhaps chains. It drops outlines beside the
-/// picture, since a dashed line may have a million of them.
+/// Ends an outline, and cuts it into blocks and perhaps chains. Outlines beside the picture are
+/// dropped, since a dashed line may have a million of them.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
     corners_.push(closing);
@@ -132,11 +132,13 @@ void path_chains::add_blocks(std::size_t last) {
     }
 }
 
-/// Cuts the present outline into two chains. Does nothing and returns false if it turns more often.
+/// Cuts the present outline into two chains. Does nothing and returns false if the outline turns
+/// more often.
 ///
 /// A chain begins at the first edge after the outline turned from up to down, or from down to up;
-/// level edges do not count. The outline's corners before the first turn are repeated after its
-/// last corner, so that each chain's corners lie side by side. Expects: not all edges are level.
+/// horizontal edges do not count. The outline's corners before the first turn are repeated after
+/// its last corner, so that each chain's corners lie side by side. Expects: not all edges are
+/// horizontal.
 bool path_chains::add_pair(std::size_t last) {
     // The next edge that leads the other way, or the last corner.
     const auto turn_from = [](const l3d_point_2d* at, const l3d_point_2d* end, bool down) {
@@ -183,7 +185,7 @@ void path_chains::sort() {
 }
 
 /// Finds the outlines that overlap no other one. It goes through the outlines in the order of their
-/// tops, and compares each with those that have begun and not ended.
+/// tops, and compares each outline with those that have begun above its top and not ended.
 void path_chains::find_apart() {
     if (std::ranges::none_of(outlines_, &outline::is_pair))
         return;

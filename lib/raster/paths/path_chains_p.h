@@ -16,7 +16,7 @@
 
 namespace l3d_detail {
 
-/// A run of an outline's corners, from top to bottom.
+/// A run of an outline's corners, in order from top to bottom.
 struct corner_run {
     const l3d_point_2d* first = nullptr;
     /// Step in memory to the next corner: 1, or -1 if the outline leads up.
@@ -30,16 +30,17 @@ struct corner_run {
 };
 
 /// The part of a chain in one row of pixels. It goes from the place where the chain enters the row,
-/// by its corners there, to the place where it leaves.
+/// by the chain's corners in the row, to the place where the chain leaves it.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
     double left, right; ///< the piece lies between these x
     l3d_point_2d enters, leaves;
-    corner_run corners; ///< corners between its ends
+    corner_run corners; ///< the corners between the piece's ends
     /// 1 if the outline leads up, adding 1 to the winding on the right; else -1.
     std::int8_t direction;
 
-    /// Calls edge(from, to) for each edge of the piece from top to bottom; some edges are level.
+    /// Calls edge(from, to) for each edge of the piece from top to bottom; some edges are
+    /// horizontal.
     template <class Edge> void visit(const Edge& edge) const {
         l3d_point_2d from = enters;
         for (std::size_t i = 0; i < corners.count; ++i) {
@@ -50,7 +51,8 @@ struct row_piece {
     }
 };
 
-/// A straight edge, for the x at any height within it. Rounding never puts x beyond its ends.
+/// A straight edge, to find its x at any height between its ends. Rounding never puts this x beyond
+/// the ends.
 struct straight_edge {
     double x0 = 0, y0 = 0, slope = 0, least = 0, most = 0;
 
@@ -70,12 +72,13 @@ public:
     /// Expects: the picture has rows 0 to height - 1, and the chain reaches at least one of them.
     chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height);
 
-    /// The first row that the chain reaches, and the row after the last.
+    /// The first row that the chain reaches; bottom() is the row after the last.
     std::int32_t top() const { return top_; }
     std::int32_t bottom() const { return bottom_; }
     /// The place where the chain enters the picture.
     const l3d_point_2d& begin() const { return begin_; }
-    /// 1 if the outline leads up here, which adds 1 to the winding number on the right; else -1.
+    /// 1 if the outline leads up along this chain, which adds 1 to the winding number on the right;
+    /// else -1.
     std::int8_t direction() const { return static_cast<std::int8_t>(-step_); }
     /// The next corner to which the chain leads, the place behind its last corner, and the step in
     /// memory between corners.
@@ -94,7 +97,7 @@ private:
 /// and once downwards is cut into two chains, too.
 ///
 /// Corners outside of the picture move to its sides. So outlines stay closed, and windings inside
-/// of the picture stay the same. Level edges belong to the chain before them.
+/// of the picture stay the same. Horizontal edges belong to the chain before them.
 /// Cost:    linear in the corners; allocates when there are more than ever before.
 class path_chains {
 public:
@@ -106,7 +109,7 @@ public:
     void lines(std::span<const l3d_point_2d> corners);
     void end(std::uint8_t layer);
 
-    /// All chains, and the array of their corners.
+    /// All chains; corners() is the array of their corners.
     std::span<const chain> chains() const { return chains_; }
     const l3d_point_2d* corners() const { return corners_.data(); }
 
@@ -116,16 +119,18 @@ public:
         std::uint32_t first, end;
         double top, bottom;
     };
-    /// All blocks, those of an outline in its order.
+    /// The blocks of all outlines. Blocks of one outline follow each other in its order.
     const std::vector<block>& blocks() const { return blocks_; }
 
     /// An outline that reaches the picture.
     struct outline {
-        l3d_pixel_box box;               ///< the box of all pixels that it reaches
-        std::size_t first_block, blocks; ///< its first block, and how many
-        std::size_t chains; ///< the first of its two chains; `none` if it is not cut into two
-        std::uint8_t layer; ///< 0: of the filled path; 1: of its clip path
-        bool apart;         ///< set by find_apart: its box meets no other outline's
+        l3d_pixel_box box; ///< the box of all pixels that the outline reaches
+        /// Index of the outline's first block, and the number of its blocks.
+        std::size_t first_block, blocks;
+        /// Index of the first of its two chains; `none` if the outline is not cut into two.
+        std::size_t chains;
+        std::uint8_t layer; ///< 0: an outline of the filled path; 1: of its clip path
+        bool apart;         ///< whether its box meets no other outline's box; find_apart sets it
 
         static constexpr std::size_t none = ~std::size_t{0};
         bool is_pair() const { return chains != none; }
@@ -133,8 +138,8 @@ public:
     std::span<const outline> outlines() const { return outlines_; }
     /// Sorts outlines by their tops.
     void sort();
-    /// Finds the outlines whose boxes meet no other's. It searches only if an outline of two chains
-    /// may be among them. Expects: sorted.
+    /// Finds the outlines whose boxes meet no other outline's box, and sets their `apart`. It
+    /// searches only if an outline of two chains may be among these. Expects: sorted.
     void find_apart();
 
 private:
@@ -152,7 +157,7 @@ private:
     std::int32_t height_ = 0;
     l3d_point_2d move_{};
     std::size_t outline_ = 0; ///< the index of the present outline's first corner
-    columns reached_{};       ///< the range of the present outline's corners
+    columns reached_{};       ///< the range of x of the present outline's corners
     kept_list<l3d_point_2d> corners_;
     std::vector<l3d_point_2d> uncut_;
     std::vector<chain> chains_;

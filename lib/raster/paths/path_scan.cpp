@@ -12,7 +12,7 @@ namespace l3d_detail {
 namespace {
 
 /// Whether `left` certainly has no point right of the point of `right` at the same height. Both
-/// span the same heights. With level edges, it is never certain.
+/// pieces span the same heights. With horizontal edges, the answer is always false.
 bool is_left_of(const row_piece& left, const row_piece& right) {
     // Both are straight between their corners, so comparing corners is enough.
     const auto is_before = [](const row_piece& corners, const row_piece& edges, double way) {
@@ -62,8 +62,8 @@ std::span<const covered_span> path_scan::convert(const order& wanted) {
     return writer_.spans().all();
 }
 
-/// Takes a path's outlines. In the scan's coordinates, pixel 0 is [0, 1), and its sample
-/// is its middle.
+/// Takes a path's outlines. In the scan's coordinates, pixel 0 is [0, 1), and is sampled in its
+/// middle.
 void path_scan::take_outlines(const l3d_path& path, std::uint8_t layer) {
     const seen_box seen{box_.left - 0.5, box_.top - 0.5, box_.right - 0.5, box_.bottom - 0.5};
     visit_flat(
@@ -167,7 +167,7 @@ void path_scan::add_border(const row_piece& piece, int sign) {
 }
 
 /// Adds up the sums from left to right, stores the values of the coverage, and sets the sums back
-/// to 0. `covered` is the coverage left of the columns; returns that right of them.
+/// to 0. `covered` is the coverage left of the columns; returns the coverage right of the columns.
 double path_scan::add_values(std::int32_t row, double left, double right, double covered) {
     const auto first = static_cast<std::int32_t>(left), last = static_cast<std::int32_t>(right);
     std::uint8_t* value = writer_.add_values(row, first, last + 1);
@@ -182,7 +182,8 @@ double path_scan::add_values(std::int32_t row, double left, double right, double
     return covered;
 }
 
-/// Adds all other outlines. Those that reach into a band are active there.
+/// Adds the outlines that add_pairs has left, band by band. An outline is active in the bands into
+/// which it reaches.
 void path_scan::add_bands() {
     l3d_pixel_box reached{};
     for (const path_chains::outline& o : chains_.outlines())

@@ -22,11 +22,11 @@
 
 namespace l3d_detail {
 
-/// Turns paths into spans. They are exact except for rounding, and for the distance of chords from
-/// curves.
+/// Turns paths into spans of covered pixels. The coverage is exact except for rounding, and for the
+/// distance of chords from curves.
 ///
 /// An outline of two chains that is near no other is filled between them, many rows at once. All
-/// others go to band_cells, band by band.
+/// other outlines go to band_cells, band by band.
 /// Cost:    a few operations for each pixel that an edge passes, and an eighth of one for each
 ///          pixel of the outlines' box. Allocates when a path has more edges or spans than ever
 ///          before.
@@ -36,23 +36,24 @@ public:
     struct order {
         const l3d_path& path;
         l3d_winding inside;
-        const l3d_path* clip; ///< null: the whole box
+        const l3d_path* clip; ///< only pixels inside of this path are covered; null: no limit
         l3d_winding clip_inside;
-        l3d_pixel_box box; ///< a part of the picture
+        l3d_pixel_box box; ///< the box that is filled, a part of the picture
         double full;       ///< value of a pixel that is covered wholly, at most 255
     };
 
     /// Finds the spans of a path, in any order and without overlap. Pixels that are not covered
-    /// have none.
+    /// have no span.
     /// Lives:   until the next call.
     std::span<const covered_span> convert(const order& wanted);
 
-    /// The values of columns that have a value each. Behind a span's values, as many more may be
-    /// read as a vector has 32-bit lanes.
+    /// The values of those columns that have a value each; spans hold indices of this array. Behind
+    /// a span's values, as many more may be read as a vector has 32-bit lanes.
     const std::uint8_t* values() const { return writer_.values().data(); }
 
 private:
-    static constexpr std::size_t most_lanes = 16; ///< lanes of span_kernels' vectors
+    /// The largest number of lanes in span_kernels' vectors.
+    static constexpr std::size_t most_lanes = 16;
 
     void take_outlines(const l3d_path& path, std::uint8_t layer);
     void add_pairs();

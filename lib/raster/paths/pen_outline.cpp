@@ -16,9 +16,9 @@ constexpr double widest_pen = 1 << 30;
 
 /// The largest turn between neighbouring points of an arc that keeps the error of a pixel's area
 /// within l3d_flat_enough. Chords of a turn u lose up to r^2 u^3 / (81 sqrt 2) on one side before
-/// the other side makes up for it. That may happen four times in a pixel. For large circles, the
-/// distance of chords from the rim allows more, as at most sqrt 2 pixels of the rim are in a pixel.
-/// See NUMERICS.md, section 20.
+/// the other side makes up for this loss. Such losses may occur four times in a pixel. For large
+/// circles, the distance of chords from the rim allows more, as at most sqrt 2 pixels of the rim
+/// are in a pixel. See NUMERICS.md, section 20.
 double most_turn(double radius) {
     constexpr double root = std::numbers::sqrt2;
     const double by_area = std::cbrt(81 * root / 4 * l3d_flat_enough / (radius * radius));
@@ -82,8 +82,8 @@ void pen_outline::find_chords(const std::vector<pen_point>& points, bool closed)
         add_chord(*last, leaves, points[0]);
 }
 
-/// Adds a chord. Returns false if it has no length. Where the chord begins or ends a curve, the pen
-/// is square to the curve.
+/// Adds a chord. Returns false if the chord has no length. Where the chord begins or ends a curve,
+/// the pen is square to the curve.
 bool pen_outline::add_chord(const pen_point& from, l3d_point_2d leaves, const pen_point& to) {
     const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
     const double length = std::sqrt(dx * dx + dy * dy); // from numbers below 2^32
@@ -116,7 +116,7 @@ void pen_outline::add_ends(l3d_point_2d at, l3d_point_2d direction) {
     right_.push_back(beside(at, opposite(direction)));
 }
 
-/// Adds a joint on both sides. The right side is the left side of the way back.
+/// Adds a joint on both sides. The right side is found as the left side of a pen that comes back.
 void pen_outline::add_joint(const chord& before, const chord& after) {
     if (add_flat_joint(before, after))
         return;
@@ -130,12 +130,12 @@ void pen_outline::add_joint(const chord& before, const chord& after) {
 }
 
 /// Adds a joint that turns so little that an arc is nearly its chord: one point on either side,
-/// whatever the join. Does nothing and returns false if it turns more. Such turns are within
-/// curves, and at the many points of a plot.
+/// whatever the join. Does nothing and returns false if the joint turns more. Joints that turn so
+/// little occur within curves, and at the many points of a plot.
 ///
-/// On the outside, the point lies on the arc, and the sides of both rectangles are at most
-/// r (1 - cos(turn / 2)) away. On the inside it is where these sides cross, unless that is beyond
-/// the middle of one of them.
+/// On the outside, the point lies on the arc, and the sides of both rectangles are at most r (1 -
+/// cos(turn / 2)) away. On the inside, the point is where the rectangles' sides cross, unless this
+/// crossing is beyond the middle of one of them.
 bool pen_outline::add_flat_joint(const chord& before, const chord& after) {
     const l3d_point_2d &ends = before.ends, &begins = after.begins, &at = after.from;
     const double sine = ends.x * begins.y - ends.y * begins.x;

@@ -13,7 +13,7 @@ namespace l3d_detail {
 /// An end of a chord of a path that is stroked.
 struct pen_point {
     l3d_point_2d at;
-    bool smooth = false; ///< whether two chords of one curve meet here
+    bool smooth = false; ///< whether two chords of one curve meet in this point
     /// The unit directions of the curve that ends here, and of the curve that begins here. (0, 0)
     /// means the chord's direction.
     l3d_point_2d arrives{}, leaves{};
@@ -23,28 +23,31 @@ struct pen_point {
 /// chain, or two if the chain is closed.
 ///
 /// An outline is the sum of a rectangle for each chord and a wedge for each joint, all wound in the
-/// same direction. Therefore, it passes through the joint itself on the joint's inner side. So the
-/// winding number of each covered place is 1 or more, and never returns to 0.
+/// same direction. Therefore, the outline passes through the joint itself on the joint's inner
+/// side. So the winding number of each covered place is 1 or more, also where chords overlap.
 class pen_outline {
 public:
     pen_outline(const l3d_stroke& pen, l3d_path& result);
 
-    /// Adds a chain's outline. If all points are the same, a square cap has sides along `along`.
+    /// Adds a chain's outline. If all points are the same, a square cap has sides along the
+    /// direction `along`.
     void add(const std::vector<pen_point>& points, bool closed, l3d_point_2d along = {1, 0});
 
 private:
-    /// A chord from a point to the next one with another place.
+    /// A chord from a point to the next point at another place.
     struct chord {
         l3d_point_2d from, to;
         double length;
-        l3d_point_2d begins, ends; ///< directions to which the pen is square at both ends
-        bool smooth;               ///< whether its beginning lies within a curve
+        /// Directions of the path at both ends; the pen is square to them.
+        l3d_point_2d begins, ends;
+        bool smooth; ///< whether the chord's beginning lies within a curve
     };
 
     /// The place where two chords meet.
     struct joint {
         l3d_point_2d at;
-        /// Directions at the end of the first chord and at the beginning of the second one.
+        /// The path's directions at the end of the first chord and at the beginning of the second
+        /// one.
         l3d_point_2d ends, begins;
         double shortest; ///< the length of the shorter chord
         l3d_join join;
@@ -70,7 +73,7 @@ private:
                         const std::vector<l3d_point_2d>& turns, side& to);
     void end_outline(side& outline);
 
-    /// A point beside a joint, on the mean of the left directions of both chords.
+    /// A point on the left of a joint, in the mean of the directions to the left of both chords.
     static l3d_point_2d between(const joint& j, double scale) {
         return {j.at.x + scale * (j.ends.y + j.begins.y), j.at.y - scale * (j.ends.x + j.begins.x)};
     }
@@ -81,10 +84,10 @@ private:
     const l3d_stroke& pen_;
     l3d_path& result_;
     double radius_, most_angle_;
-    double least_cosine_; ///< cosine of most_angle_
+    double least_cosine_; ///< the cosine of most_angle_
     double most_turn_;    ///< the largest turn between points of an arc
     std::vector<chord> chords_;
-    side left_, right_; ///< the sides of the present outline
+    side left_, right_; ///< both sides of the pen along the present outline
     std::vector<l3d_point_2d> turns_;
     /// Points of the arc of round caps; empty before the first cap.
     std::vector<l3d_point_2d> half_turn_;

@@ -39,13 +39,14 @@ void pixel_area::add(const edge_record* all, std::uint32_t last, std::size_t lay
         edges_.first_clip = edges_.count;
 }
 
-/// Finds bounds of the winding number, relative to that at the pixel's corner, from the visits.
+/// Finds bounds of the winding number, relative to the number at the pixel's corner, from the
+/// visits of outlines.
 ///
-/// A visit is an outline's passage through the pixel, from side to side. The winding number on its
-/// higher side is larger by 1 than on the other side. If a visit adds less than 0, the pixel's top
-/// left corner is on its higher side. Two successive edges whose corner lies outside the pixel do
-/// not cross inside. If they turn to the right, each place is on the higher side of at least one of
-/// them. If they turn to the left, each place is on the lower side of at least one.
+/// A visit is an outline's passage through the pixel, from side to side. The winding number on a
+/// visit's higher side is larger by 1 than on its lower side. If a visit adds less than 0, the
+/// pixel's top left corner is on its higher side. Two successive edges whose corner lies outside
+/// the pixel do not cross inside. If they turn to the right, each place is on the higher side of at
+/// least one of them. If they turn to the left, each place is on the lower side of at least one.
 pixel_area::windings_range pixel_area::find_range() const {
     constexpr double unclear = 1e-9, surely = 1e-10; // far above rounding
     windings_range range;
@@ -133,7 +134,7 @@ double pixel_area::inside(const l3d_point_2d& corner, const std::array<double, 2
     return area ? *area : slabs(at_corner, rules);
 }
 
-/// Converts an edge to a border.
+/// Converts an edge of the pixel to a border between inside and outside.
 row_edge pixel_area::border(const edge_block& b, std::size_t lane, std::size_t i) const {
     return {b.x0[lane],
             b.y0[lane],
@@ -145,7 +146,7 @@ row_edge pixel_area::border(const edge_block& b, std::size_t lane, std::size_t i
 
 /// The covered area, from the parts of edges that have the inside on only one side. `beside` are
 /// the winding numbers left of all edges. Returns nothing if two edges are so close that rounding
-/// may confuse which one is on the left.
+/// may confuse which of them is on the left.
 std::optional<double> pixel_area::between_borders(const windings& corner, const windings& beside,
                                                   const fill_rules& rules) {
     constexpr double same = 1e-12, close = 1e-7;
@@ -218,8 +219,8 @@ std::optional<double> pixel_area::between_borders(const windings& corner, const 
     return is_close ? std::nullopt : std::optional(area);
 }
 
-/// Finds the changes of the winding numbers down the pixel's left side, at the ends of edges that
-/// lie on it.
+/// Finds the changes of the winding numbers down the pixel's left side, at those ends of edges that
+/// lie on this side.
 void pixel_area::find_changes() {
     changes_.clear();
     edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t i) {
@@ -243,7 +244,7 @@ double pixel_area::on_left(windings beside, const fill_rules& rules) const {
     return area + (rules.inside(beside) ? 1 - top : 0);
 }
 
-/// Computes the area inside from slabs.
+/// Computes the covered area by cutting the pixel into horizontal slabs.
 double pixel_area::slabs(const windings& corner, const fill_rules& rules) {
     slabs_.set_width(1);
     slab_edges_.clear();

@@ -18,12 +18,13 @@ namespace l3d_detail {
 /// Finds the exact covered area of a pixel from all edges that reach it.
 ///
 /// Bounds of the winding number often prove that the whole pixel lies inside or outside. Where many
-/// outlines pass under the nonzero rule, they prove so for parts of the pixel, and often for all.
+/// outlines pass under the nonzero rule, the bounds are found for parts of the pixel, and often
+/// prove it for each part.
 ///
 /// Otherwise the borders of the inside are found. Along each edge, the winding number on its left
-/// changes where other edges cross it, begin or end. Parts of the edge with the inside on one side
-/// only add to the area. If rounding may tell wrong which edge is on the left, the pixel is cut
-/// into slabs.
+/// changes where other edges cross it, begin or end. The parts of the edge that have the inside on
+/// one side only are borders, and add to the area. If rounding may tell wrong which of two edges is
+/// on the left, the pixel is cut into slabs.
 /// Cost:    the square of the number of edges. Slabs take n log n for n edges, times their number.
 class pixel_area {
 public:
@@ -35,8 +36,8 @@ public:
     void add(const edge_record* all, std::uint32_t last, std::size_t layer);
 
     /// The area inside, from 0 to 1, of the pixel with this top left corner. `sums` are the
-    /// integrals of both layers' winding numbers over the pixel, from which those at its corner
-    /// follow.
+    /// integrals of both layers' winding numbers over the pixel, from which the winding numbers at
+    /// the corner follow.
     double inside(const l3d_point_2d& corner, const std::array<double, 2>& sums,
                   std::uint32_t visits, const fill_rules& rules);
 
@@ -56,8 +57,10 @@ private:
 
     kept_list<edge_block> blocks_;
     pixel_edges edges_;
-    kept_list<winding_change> changes_; ///< along the pixel's left side
-    kept_list<winding_change> passed_;  ///< on the left of an edge, where it passes others
+    /// Changes of the winding number along the pixel's left side.
+    kept_list<winding_change> changes_;
+    /// Changes on the left of an edge, where other edges cross it, begin or end.
+    kept_list<winding_change> passed_;
     std::vector<row_edge> slab_edges_;
     row_areas slabs_;
 };

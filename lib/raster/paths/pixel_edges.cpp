@@ -21,8 +21,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The numbers of fields in a pixel, and a margin far above rounding. An edge within the margin of
-/// a field counts as in it.
+/// The numbers of rows and columns of fields in a pixel, and a margin far above rounding. An edge
+/// within the margin of a field counts as in the field.
 constexpr int rows = 8, columns = 8;
 constexpr double margin = 1e-9;
 constexpr std::uint64_t all_in_row = (1U << columns) - 1;
@@ -110,9 +110,9 @@ edge_sums place_in_lanes(const pixel_edges& edges, const l3d_point_2d& corner) {
     return {sum(own), sum(before)};
 }
 
-/// Finds a lower bound of the winding number in each field, by counting edges on its left. An edge
-/// that lowers the number on its right counts from the first field that it may reach. An edge that
-/// raises it counts only in fields right of the last that it may reach.
+/// Finds a lower bound of the winding number in each field, by counting the edges on the field's
+/// left. An edge that lowers the number on its right counts from the first field that it may reach.
+/// An edge that raises it counts only in fields right of the last field that it may reach.
 ///
 /// The bounds of all fields are counted at once: word i has bit i of each field's counter.
 std::uint64_t find_open_in_lanes(const pixel_edges& edges, int beside, int sign) {

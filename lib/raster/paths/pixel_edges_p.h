@@ -15,10 +15,10 @@ namespace l3d_detail {
 
 /// The way by which an outline reaches the place in a pixel at which an edge begins.
 enum class cell_begin : std::uint8_t {
-    enters,      ///< by a side other than the left one, or by one that is not known
-    continues,   ///< it continues the edge before
-    unclear,     ///< its first corner lies in the pixel, or it may cross itself there
-    enters_left, ///< by the pixel's left side
+    enters,      ///< the outline enters by a side other than the left one, or by an unknown side
+    continues,   ///< the edge begins where the outline's edge before it ends
+    unclear,     ///< the outline's first corner lies in the pixel, or it may cross itself there
+    enters_left, ///< the outline enters by the pixel's left side
 };
 
 /// The number of visits that marks a pixel in which an outline may cross itself.
@@ -29,19 +29,19 @@ struct edge_record {
     static constexpr std::uint32_t mark_bits = 3, marks = 7, begins = 3, leaves_left = 4;
 
     l3d_point_2d from, to;
-    std::uint32_t before; ///< the record that came before it in this pixel; 0 for none
-    /// The edge's index above mark_bits, its cell_begin, and leaves_left if it leaves by the left
-    /// side.
+    std::uint32_t before; ///< index of the record before this one in the pixel's list; 0 for none
+    /// The edge's index above mark_bits, its cell_begin, and leaves_left if the edge leaves the
+    /// pixel by its left side.
     std::uint32_t edge;
 
     std::uint32_t index() const { return edge >> mark_bits; }
 };
 
-/// Edges of a pixel, a lane each.
+/// Some edges of a pixel, one in each lane.
 ///
 /// The winding number must not change where an edge meets the pixel's left side. So an edge whose
 /// upper end lies on that side goes on upwards along it, and one whose lower end does goes on
-/// downwards. A level edge counts by this part on the side alone.
+/// downwards. A horizontal edge counts only by this part along the left side.
 /// Units:   x and y from 0 to 1, from the pixel's top left corner.
 struct alignas(64) edge_block {
     static constexpr std::size_t size = 8;
@@ -49,15 +49,15 @@ struct alignas(64) edge_block {
 
     /// Upper and lower end; before place_edges, begin and end in the picture.
     numbers x0, y0, x1, y1;
-    numbers slope; ///< dx / dy; 0 if level
-    /// 1 if it leads upwards, which adds 1 to the winding on its right; else -1; 0 if it is level
-    /// and apart from the left side.
+    numbers slope; ///< dx / dy; 0 for a horizontal edge
+    /// 1 for an edge that leads upwards, which adds 1 to the winding on its right; else -1. A
+    /// horizontal edge apart from the left side has 0.
     numbers turns;
-    /// As `turns`, if the upper or lower end is on the left side; else 0.
+    /// As `turns`, if the edge's upper or lower end is on the pixel's left side; else 0.
     numbers up_left, down_left;
-    numbers adds;                         ///< its part of the integral of the winding number
-    numbers top, bottom;                  ///< the heights between which it may be a border
-    std::array<std::uint32_t, size> edge; ///< as in the record
+    numbers adds;        ///< the edge's part of the integral of the winding number over the pixel
+    numbers top, bottom; ///< the heights between which the edge may be a border of the inside
+    std::array<std::uint32_t, size> edge; ///< as edge_record::edge
 
     double x_at(std::size_t lane, double y) const {
         return x0[lane] + (y - y0[lane]) * slope[lane];
@@ -66,13 +66,13 @@ struct alignas(64) edge_block {
         return static_cast<cell_begin>(edge[lane] & edge_record::begins);
     }
     std::uint32_t index(std::size_t lane) const { return edge[lane] >> edge_record::mark_bits; }
-    /// The vector from its beginning to its end.
+    /// The vector from an edge's beginning to its end.
     l3d_point_2d way(std::size_t lane) const {
         return {(x0[lane] - x1[lane]) * turns[lane], (y0[lane] - y1[lane]) * turns[lane]};
     }
 };
 
-/// Edges of a pixel: those of layer 0, and then those of layer 1.
+/// All edges of a pixel: first the edges of layer 0, then those of layer 1.
 struct pixel_edges {
     std::span<edge_block> blocks;
     std::size_t count = 0, first_clip = 0;
@@ -90,23 +90,25 @@ struct pixel_edges {
     }
 };
 
-/// Sums over all edges of a pixel: `own` is their part of the integral of the winding number.
-/// `before` is the winding number on the left of all edges, less that at the pixel's corner.
+/// Sums over all edges of a pixel: `own` is the part of the winding number's integral that the
+/// edges add. `before` is the winding number on the left of all edges, less the one at the pixel's
+/// corner.
 struct edge_sums {
     double own, before;
 };
 
-/// Places the edges in the pixel with this top left corner, and computes all other members.
-/// Rounding never puts them beyond the pixel.
+/// Places the edges in the pixel with this top left corner, and computes all other members of their
+/// blocks. Rounding never puts an edge's ends beyond the pixel.
 edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 
-/// Finds the fields of a pixel in which the winding number may be 0. It returns a bit for each
-/// field, row by row: 8 rows of 8. `beside` is the winding number on the left of all edges. `sign`
-/// is -1 if negated winding numbers are bounded, else 1. Expects: all edges are of layer 0.
+/// Finds the fields of a pixel, its 8 x 8 equal parts, in which the winding number may be 0. It
+/// returns a bit for each field, row by row. `beside` is the winding number on the left of all
+/// edges. `sign` is -1 if the winding numbers are to be negated, else 1. Expects: all edges are of
+/// layer 0.
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
 
 /// Sets each edge's `top` and `bottom` to the heights between which it may pass fields of
-/// find_open; an empty range if it passes none.
+/// find_open; an edge that passes none gets an empty range.
 void set_heights(const pixel_edges& edges, std::uint64_t open);
 
 } // namespace l3d_detail

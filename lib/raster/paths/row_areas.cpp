@@ -11,7 +11,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// The x of an edge at a height within it: exact at its ends, and never beyond them.
+/// The x of an edge at a height between its ends. It is exact at the ends, and never beyond them.
 double x_at(const row_edge& p, double y) {
     if (y <= p.y0)
         return p.x0;
@@ -176,7 +176,7 @@ void row_areas::find_crossings(std::span<const chord> chords, double top, double
     std::ranges::sort(crossings_, {}, &crossing::y);
 }
 
-/// Adds chords that do not cross. Returns the windings right of them.
+/// Adds chords that do not cross. Returns the winding numbers right of all chords.
 windings row_areas::add_ordered(std::span<const chord> chords, double top, double bottom,
                                 const windings& left, const fill_rules& rules) {
     windings w = left;

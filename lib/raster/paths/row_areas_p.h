@@ -33,7 +33,8 @@ template <class List, class Less> void sort_few(List& of, const Less& less) {
 /// Units:   x in pixels from the picture's left side, y from 0 to 1 down the row; y0 <= y1.
 struct row_edge {
     double x0, y0, x1, y1;
-    /// 1 if the outline leads upwards, which adds 1 to the winding on the right; else -1.
+    /// 1 if the outline leads upwards along this edge, which adds 1 to the winding on its right;
+    /// else -1.
     std::int8_t direction;
     std::uint8_t layer; ///< 0: an edge of the filled path; 1: of its clip path
 };
@@ -42,7 +43,8 @@ struct row_edge {
 struct windings {
     std::array<int, 2> turns{};
 
-    /// Moves the place to the right across a border, which has a direction and a layer.
+    /// Changes the numbers as the place moves to the right across a border, which has a direction
+    /// and a layer.
     template <class Border> void cross(const Border& border) {
         turns[border.layer] += border.direction;
     }
@@ -98,25 +100,25 @@ public:
     void set_width(std::int32_t width);
 
     /// Adds the edges of a cluster. `left` has the winding numbers on the left of all edges at the
-    /// row's top. `changes` lists, from top to bottom, how these change down the row.
+    /// row's top. `changes` lists, from top to bottom, how these numbers change down the row.
     ///
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
-    /// two cuts, edges have an order from left to right. An edge counts only if one side is inside
-    /// and the other outside.
+    /// two cuts, edges have an order from left to right. An edge adds area only where one side of
+    /// it is inside and the other outside.
     void add_cluster(std::span<const row_edge> edges, const windings& left, const fill_rules& rules,
                      std::span<const winding_change> changes = {});
 
-    /// Adds a single border, independent of others. The height is negative if the inside is on the
-    /// left.
+    /// Adds a single border, from x0 to x1, independent of other borders. `height` is its height in
+    /// the row, negative if the inside is on its left.
     void add_border(double x0, double x1, double height);
 
     /// The differences of areas from column to column, to be summed up from the left. There are two
-    /// more than columns.
+    /// more differences than columns.
     double* sums() { return sums_.data(); }
 
 private:
     struct chord {
-        double x0, x1; ///< x at the top and at the bottom of the slab
+        double x0, x1; ///< the chord's x at the top and at the bottom of the slab
         const row_edge* edge;
 
         bool operator<(const chord& other) const {
@@ -138,9 +140,9 @@ private:
     };
     /// The state of a chord among chords that cross.
     struct track {
-        std::size_t place; ///< place in the order from left to right
-        double since;      ///< the height at which it became a border, if its sign is not 0
-        int sign;          ///< 0: no border; 1: the inside is on its right; -1: on its left
+        std::size_t place; ///< the chord's place in the order from left to right
+        double since;      ///< the height at which the chord became a border, if its sign is not 0
+        int sign; ///< 0: the chord is no border; 1: the inside is on its right; -1: on its left
     };
 
     std::vector<double> sums_;
@@ -148,9 +150,9 @@ private:
     std::vector<chord> chords_;
     std::vector<crossing> crossings_, waiting_;
     std::vector<track> tracks_;
-    std::vector<windings> before_; ///< the windings on the left of each place
+    std::vector<windings> before_; ///< the winding numbers on the left of each place in the order
     std::vector<std::size_t> by_lower_;
-    /// For each chord, the least lower end of it and the chords after it.
+    /// For each chord, the least lower end among this chord and the chords after it.
     std::vector<double> least_after_;
     std::vector<const row_edge*> sorted_;
 };
@@ -193,13 +195,13 @@ inline void row_areas::add_border(double x0, double x1, double height) {
 /// Adds consecutive borders as a single one as long as they stay in one pixel.
 class pixel_sum {
 public:
-    /// Begins at x, the place of the first border.
+    /// Takes the x at which the first border begins.
     pixel_sum(row_areas& areas, double x) : areas_(areas), column_(static_cast<std::int32_t>(x)) {}
     ~pixel_sum() { end(); }
     pixel_sum(const pixel_sum&) = delete;
     pixel_sum& operator=(const pixel_sum&) = delete;
 
-    /// Adds a border as row_areas::add_border does, but sums in another order.
+    /// Adds a border as row_areas::add_border does, but sums areas in another order.
     void add_border(double x0, double x1, double height) {
         const auto column = static_cast<std::int32_t>(x1);
         if (column == column_) {

@@ -14,7 +14,7 @@ side_walk::side_walk(const chain& of, const l3d_point_2d* corners)
     skip_level();
 }
 
-/// Skips level edges, which bound no area.
+/// Skips horizontal edges, which bound no area.
 void side_walk::skip_level() {
     for (; next_ != behind_ && next_->y == y_; next_ += step_)
         x_ = next_->x;
@@ -37,7 +37,7 @@ double side_walk::edge_at(double y) {
     return edge_.x_at(y);
 }
 
-/// Lays out rows of one edge. Does nothing and returns false if there is a corner on the way.
+/// Lays out rows of one edge. Does nothing and returns false if the chain has a corner on the way.
 bool side_walk::lay_out_straight(double end, side_block& block) {
     block.straight = next_->y >= end || next_ + step_ == behind_;
     if (!block.straight)

@@ -23,8 +23,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The columns of a window are stored in groups, four values to a word. A window has up to
-/// most_groups.
+/// The values of a window's columns are stored in groups of four, a byte each, in one word. A
+/// window has up to most_groups groups.
 constexpr std::size_t group = sizeof(std::uint32_t), most_groups = 4;
 constexpr std::size_t rows = side_block::rows;
 
@@ -42,7 +42,7 @@ HWY_ATTR HWY_INLINE integers truncated(number x) {
     return hn::DemoteTo(lane_integers(), x.v);
 }
 
-/// The shift that takes a byte to place i of a word, counted in the order of memory.
+/// The shift that takes a byte to place i of a word, where places count in the order of memory.
 constexpr int shift_of(int i) {
     return std::endian::native == std::endian::little ? 8 * i : 24 - 8 * i;
 }
@@ -64,7 +64,7 @@ HWY_ATTR HWY_INLINE number x_at(const straight_edge& edge, number y) {
     return smallest(largest(x, same(edge.least)), same(edge.most));
 }
 
-/// A chain in a block of rows, each lane a row.
+/// A chain in a block of rows. Each lane is a row.
 struct side_lanes {
     number enters, leaves, corners, least, most;
     mask few; ///< rows with few enough corners; unset if the chain is straight
@@ -96,7 +96,7 @@ struct side_lanes {
         }
     }
 
-    /// The rows with at least i + 1 corners.
+    /// The rows in which the chain has at least i + 1 corners.
     HWY_ATTR HWY_INLINE mask has(std::size_t i) const {
         return hn::Gt(corners.v, hn::Set(eight_doubles(), static_cast<double>(i)));
     }
@@ -108,10 +108,10 @@ struct side_lanes {
 /// right of the chain. Column 0 is the picture's column first[row].
 struct window {
     alignas(64) double areas[most_groups * group][rows];
-    std::int32_t words[most_groups][rows]; ///< values of pixels, four in a word
+    std::int32_t words[most_groups][rows]; ///< values of the pixels' coverage, four in a word
     std::int32_t first[rows];
-    std::int32_t used[rows]; ///< number of columns that have values, a multiple of a group's
-    /// Number of columns that have areas; columns after them have the whole height.
+    std::int32_t used[rows]; ///< number of columns that have values, a multiple of `group`
+    /// Number of columns that have areas; in columns after them, the area is the whole height.
     std::int32_t known[rows];
 };
 
@@ -125,8 +125,8 @@ template <std::size_t Columns> struct area_sum {
     number first;
     std::array<number, Columns> sums;
 
-    /// Sets the sums to those of a single edge. It begins in the first column, so b is never
-    /// negative.
+    /// Sets the sums to those of a single edge. The edge begins in the first column, so x - l is
+    /// never negative.
     HWY_ATTR HWY_INLINE void set(number x0, number x1, number height) {
         const edge e(x0, x1, height);
         number beyond = first - e.left;
@@ -161,7 +161,8 @@ private:
     };
 };
 
-/// Finds the areas of a chain's pixels, as differences of the sums at their ends, and their values.
+/// Finds the window of a chain with this number of columns: the areas, as differences of area_sum
+/// from column to column, and the values.
 template <std::size_t Columns, bool is_left>
 HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at, bool joint,
@@ -210,7 +211,8 @@ HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& 
     hn::Store(hn::Set(di, static_cast<std::int32_t>(Columns)), di, &result.known[at]);
 }
 
-/// Finds the windows of a chain. Returns whether one group of columns suffices for all of them.
+/// Finds the windows of a chain, with as few groups of columns as suffice. Returns whether one
+/// group suffices for all rows.
 template <bool is_left>
 HWY_ATTR HWY_INLINE bool find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at,

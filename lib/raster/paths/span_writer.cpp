@@ -12,8 +12,8 @@ void span_writer::begin(const l3d_pixel_box& box, double full) {
     values_.clear();
 }
 
-/// Makes room for a value in each of some columns: in the last span if it ends where they begin,
-/// else in a new span.
+/// Makes room for a value for each column from `first` to `end`: in the last span if it ends at
+/// `first`, else in a new span.
 void span_writer::add_span(std::int32_t row, std::int32_t first, std::int32_t end) {
     if (ends_at(row, first))
         spans_.back().between = spans_.back().beyond = spans_.back().last = end;
@@ -21,8 +21,8 @@ void span_writer::add_span(std::int32_t row, std::int32_t first, std::int32_t en
         spans_.push({row, first, end, end, end, 0, values_.size()});
 }
 
-/// Whether the last span can grow at this place: it ends there, with columns of one value each, and
-/// its values are the newest.
+/// Whether the last span can grow at this column. It can if it ends there, with columns that have a
+/// value each, and if its values were added last.
 bool span_writer::ends_at(std::int32_t row, std::int32_t column) {
     if (spans_.size() == 0)
         return false;

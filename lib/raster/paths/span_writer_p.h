@@ -13,7 +13,8 @@
 
 namespace l3d_detail {
 
-/// Collects spans. Rows and columns are those of a box of the picture.
+/// Collects the spans of a path's covered pixels. Rows and columns are those of a box of the
+/// picture.
 class span_writer {
 public:
     /// Removes all spans. `full` is the value of a pixel that is covered wholly, at most 255.
@@ -24,14 +25,14 @@ public:
         return static_cast<std::uint8_t>(std::clamp(covered, 0.0, 1.0) * full_ + 0.5);
     }
 
-    /// Adds columns first <= column < end that have a value each. Those beyond the box are left
-    /// out. Returns the place of the values, which are still to be found.
+    /// Adds columns first <= column < end that have a value each. Columns beyond the box are left
+    /// out. Returns the place to which the caller writes the values.
     std::uint8_t* add_values(std::int32_t row, std::int32_t first, std::int32_t end);
 
-    /// Adds columns of one value.
+    /// Adds columns first <= column < end that share one value.
     void add_solid(std::int32_t row, std::int32_t first, std::int32_t end, int value);
 
-    /// The lists, for callers that add to them directly.
+    /// The lists of spans and of values, for callers that add to them directly.
     kept_list<covered_span>& spans() { return spans_; }
     kept_list<std::uint8_t>& values() { return values_; }
     const kept_list<std::uint8_t>& values() const { return values_; }

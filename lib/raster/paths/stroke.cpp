@@ -29,8 +29,8 @@ l3d_point_2d unit(l3d_point_2d v) {
 }
 
 /// The vector between two points, divided by the square of its length. For neighbouring chords of a
-/// circle, the sum of two such vectors has the circle's direction where the chords meet. For the
-/// circle turns from each chord by half the angle of the chord's arc.
+/// circle, the sum of two such vectors has the circle's direction where the chords meet. The reason
+/// is that the circle turns from each chord by half the angle of the chord's arc.
 l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
     const double x = to.at.x - from.at.x, y = to.at.y - from.at.y, square = x * x + y * y;
     return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};
@@ -57,16 +57,16 @@ struct chord_ends {
     }
     chord_ends() = default;
 
-    /// The direction at parameter t of the chord. It turns evenly from end to end, as along a
-    /// circle.
+    /// The direction at parameter t of the chord. The direction turns evenly from end to end, as
+    /// along a circle.
     l3d_point_2d at(double t) const {
         return is_set(last) ? unit({std::lerp(first.x, last.x, t), std::lerp(first.y, last.y, t)})
                             : l3d_point_2d{};
     }
 };
 
-/// The directions of a curve at its first and its last point. Each leads to the nearest control
-/// point that is elsewhere.
+/// The directions of a curve at its first and its last point. Each direction is that of the line
+/// between this point and the nearest control point elsewhere.
 std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
     const auto from = [&](std::size_t at, std::size_t first, int step) {
         for (std::size_t i = first, n = 0; n < 3; ++n, i += static_cast<std::size_t>(step)) {
@@ -83,7 +83,7 @@ std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
 
 constexpr std::size_t most_dashes = 1000000;
 
-/// The length of a path's control polygons. No outline is longer than these.
+/// The length of a path's control polygons. No outline is longer than its control polygon.
 struct length_visitor {
     double length = 0;
     l3d_point_2d begin{}, at{};
@@ -108,8 +108,8 @@ bool has_too_many_dashes(const l3d_path& path, const l3d_stroke& pen, double sum
            static_cast<double>(most_dashes);
 }
 
-/// The part of a chord that may lie in a picture, in lengths from the chord's beginning. It is
-/// within `reach` of the largest picture in both x and y. Source: Liang, Barsky 1984.
+/// The part of a chord that may lie in a picture, in lengths from the chord's beginning. In both x
+/// and y, this part is within `reach` of the largest picture. Source: Liang, Barsky 1984.
 struct seen_part {
     double begin = 0, end;
 
@@ -134,7 +134,8 @@ private:
 /// Cuts outlines into dashes.
 class dasher {
 public:
-    /// If `leaves_out` is set, makes no dashes that no picture shows, except the outermost ones.
+    /// If `leaves_out`, dashes that no picture shows are not made, except the first and the last
+    /// one.
     dasher(const l3d_stroke& pen, pen_outline& outline, double sum, bool leaves_out)
         : pen_(pen), outline_(outline), sum_(sum), leaves_out_(leaves_out) {}
 
@@ -159,7 +160,7 @@ public:
 private:
     struct dash {
         std::vector<pen_point> points;
-        l3d_point_2d along{1, 0}; ///< the direction of the chord that the dash ends in
+        l3d_point_2d along{1, 0}; ///< the direction of the chord in which the dash ends
     };
 
     bool drawing() const { return turn_ % 2 == 0 && dashes_ < most_dashes; }
@@ -178,7 +179,7 @@ private:
     double length() const { return pen_.dashes[turn_ % pen_.dashes.size()]; }
 
     /// Goes along a chord, and ends and begins dashes on it. find_ends() gives the curve's
-    /// directions at both of its ends.
+    /// directions at both ends of the chord.
     template <class FindEnds>
     void go(const pen_point& from, const pen_point& to, const FindEnds& find_ends) {
         const double dx = to.at.x - from.at.x, dy = to.at.y - from.at.y;
@@ -225,7 +226,7 @@ private:
     }
 
     /// The length ahead that can be skipped in a gap: whole periods of dashes that no picture
-    /// shows. It ends a period before the visible part, or before the chord's end.
+    /// shows. The skipped length ends a period before the visible part, or before the chord's end.
     double left_out(l3d_point_2d from, l3d_point_2d direction, double whole, double done) const {
         const seen_part seen(from, direction, whole, 2 * pen_.width);
         const double twice = 2 * sum_; // an odd number of lengths repeats after two passes
@@ -266,7 +267,7 @@ private:
     bool leaves_out_;
     std::size_t turn_ = 0, dashes_ = 0;
     dash dash_, first_;
-    bool held_ = false; ///< the dash is the first one of a closed outline
+    bool held_ = false; ///< whether the first dash of a closed outline waits for the last one
 };
 
 bool is_sound(const l3d_stroke& pen) {

@@ -12,11 +12,11 @@ namespace l3d_detail {
 
 namespace {
 
-/// The number of fragments at which hidden ones are removed for the first time. They take 1 MB, and
-/// their polygons up to 10 MB. A band of a usual frame has fewer.
+/// The number of fragments at which hidden ones are removed for the first time. So many fragments
+/// take 1 MB, and their polygons up to 10 MB. A band of a usual frame has fewer.
 constexpr std::size_t least_most_fragments = std::size_t{1} << 16;
 
-/// Finds the pixels that may have a sample in a box.
+/// Finds the pixels that may have a sample in a polygon's box.
 l3d_pixel_box samples_between(const l3d_subpixel_box& box) {
     constexpr std::int32_t first = l3d_subpixel_one / sample_places::cells / 2;
     return {(box.left + first - 1) >> l3d_subpixel_bits, (box.top + first - 1) >> l3d_subpixel_bits,

@@ -33,24 +33,24 @@ public:
     std::int32_t begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
                        const l3d_pixel_box& band, std::size_t most);
 
-    /// Sets the colours of the frame's materials. There are none unless the frame has materials and
-    /// words are levels. `by_material` tells whether shaders take the index of the material
-    /// instead.
+    /// Sets the colours of the frame's materials. The list is empty unless the frame has materials
+    /// and pixel words are levels. `by_material` tells whether shaders take a material's index
+    /// instead of its colour.
     /// Lives: until the next call.
     void use_colors(std::span<const std::uint32_t> colors, bool by_material) {
         colors_ = colors;
         by_material_ = by_material;
     }
 
-    /// Adds those quads and triangles of an item that reach a marked pixel and may be seen there.
-    /// They may be seen if they are no farther than everything drawn in the pixel and around it.
+    /// Adds those quads and triangles of an item that reach a marked pixel and may be seen there. A
+    /// polygon may be seen if it is no farther than everything drawn in the pixel and around it.
     /// Folded quads are added in pieces. `levels` tells whether the mode is l3d_shade::levels.
     void add(const band_list& list, const band_item& item, bool levels);
 
     /// Opens each closed pixel again that has a sample which no polygon covers, and removes its
-    /// fragments. Returns whether there are any. Then the caller has to add all items once more;
-    /// only these pixels take them. Slits leave such samples, or gaps through which farther things
-    /// are seen.
+    /// fragments. Returns whether any pixel is open again. Then the caller has to add all items
+    /// once more; only the pixels opened again take them. Samples stay uncovered at slits, and
+    /// farther surfaces may be seen there.
     bool reopen() { return pixels_.reopen(); }
 
     std::span<const marked_pixel> pixels() const { return pixels_.pixels(); }
@@ -59,7 +59,7 @@ public:
     /// polygon do not show the background: some polygons have not been added.
     bool closed(std::size_t i) const { return pixels()[i].is_closed; }
 
-    /// Calls visit(i, fragments) for each pixel i, with those of its fragments that are seen.
+    /// Calls visit(i, fragments) for each pixel i, with those fragments of the pixel that are seen.
     template <class Visit> void visit_seen(const Visit& visit) const {
         seen_in_pixels seen;
         const auto all = std::span(fragments_).first(count_);
@@ -97,16 +97,18 @@ private:
 
     std::span<const std::uint32_t> colors_;
     bool by_material_ = false;
-    l3d_pixel_box inside_; ///< the item's box within the band
+    l3d_pixel_box inside_; ///< the box of the present item, within the band
     marked_pixels pixels_;
     quad_boxes boxes_;
-    std::vector<fragment_polygon> polygons_; ///< polygons, with room for more
-    std::size_t polygon_count_ = 0;          ///< polygons in use
-    std::vector<fragment> fragments_;        ///< fragments, with room for more
-    std::vector<fragment> kept_;             ///< fragments left after hidden ones are removed
-    std::size_t count_ = 0;                  ///< fragments in use
-    std::size_t most_fragments_ = 0;         ///< fragments at which hidden ones are removed
-    std::vector<std::uint32_t> names_;       ///< new indices of polygons after that
+    std::vector<fragment_polygon> polygons_; ///< polygons that were added, and room for more
+    std::size_t polygon_count_ = 0;          ///< number of polygons that were added
+    std::vector<fragment> fragments_;        ///< fragments of all pixels, and room for more
+    /// Memory for the fragments that are left when hidden ones are removed.
+    std::vector<fragment> kept_;
+    std::size_t count_ = 0;          ///< number of fragments in use
+    std::size_t most_fragments_ = 0; ///< number of fragments at which hidden ones are removed
+    /// For each polygon, its new index after hidden fragments are removed.
+    std::vector<std::uint32_t> names_;
 };
 
 } // namespace l3d_detail

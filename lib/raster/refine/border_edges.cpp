@@ -14,8 +14,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Tells how a quad turns at one of its sides: 1 to the right, -1 to the left, 0 if it covers
-/// nothing.
+/// Tells how a quad turns in the picture at one of its sides: 1 to the right, -1 to the left, 0 if
+/// it covers nothing.
 int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
     const quad_corners v = corners_of(grid, grid.index(edge.row, edge.column));
     const quad_turns turns(v);
@@ -28,7 +28,8 @@ int turn_at(const l3d_micro_grid& grid, const l3d_border_edge& edge) {
     return is_right ? 1 : -1;
 }
 
-/// Tells how a triangle turns: 1 to the right, -1 to the left, 0 if it covers nothing.
+/// Tells how a triangle turns in the picture: 1 to the right, -1 to the left, 0 if it covers
+/// nothing.
 int turn_of(const l3d_micro_triangles& all, int triangle) {
     const std::int64_t area = all.double_area(static_cast<std::size_t>(triangle));
     return (area > 0 ? 1 : 0) - (area < 0 ? 1 : 0);

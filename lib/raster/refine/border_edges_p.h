@@ -14,9 +14,9 @@
 namespace l3d_detail {
 
 /// Finds the borders of a band's parts that are contours. Two parts that share an edge have the
-/// same vertices there, bit by bit. If both lie on the same side of the edge in the picture, the
-/// surface folds over there. If they lie on different sides, the surface continues. Then the edge
-/// is a contour only if their levels differ.
+/// same vertices there, bit by bit. If both parts lie on the same side of the edge in the picture,
+/// the surface folds over there. If the parts lie on different sides, the surface continues. Then
+/// the edge is a contour only if the levels on both sides differ.
 /// Lives: one for each worker, kept for its memory.
 class border_edges {
 public:
@@ -30,7 +30,8 @@ public:
     /// Adds the border edges of an item's quads or triangles.
     void add(const band_item& item);
 
-    /// Finds the contours among the added edges. Returns: valid until the next call.
+    /// Finds the contours among the added edges. Returns: edges that stay valid until the next
+    /// call.
     std::span<const contour_edge> match();
 
 private:
@@ -46,7 +47,8 @@ private:
 
     std::int32_t top_ = 0, bottom_ = 0;
     std::vector<border> edges_;
-    std::vector<std::uint32_t> table_; ///< a hash table of 1 + the index of an edge
+    /// A hash table; its numbers are 1 + the index of an edge, 0 for none.
+    std::vector<std::uint32_t> table_;
     std::vector<contour_edge> contours_;
 };
 

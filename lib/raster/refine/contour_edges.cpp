@@ -172,7 +172,7 @@ void contour_edges::add_between(const l3d_micro_vertex& from, const l3d_micro_ve
 }
 
 /// Adds the edges between the pieces of a folded quad. The edge from the centre to a corner lies
-/// between the pieces of the two sides that meet there.
+/// between the pieces of the two sides that meet in this corner.
 void contour_edges::add_spokes(const l3d_micro_grid& grid, int row, int column) {
     const quad_corners v = corners_of(grid, grid.index(row, column));
     const l3d_micro_vertex centre = projective_centre(v, grid.is_parallel);

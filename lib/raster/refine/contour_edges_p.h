@@ -13,27 +13,27 @@
 
 namespace l3d_detail {
 
-/// An edge of a contour, from one vertex to another. In the picture, the surface lies on its right.
-/// Farther things are seen on its left.
+/// An edge of a contour, at which pixels are drawn with anti-aliasing. It leads from one vertex to
+/// another. In the picture, the surface lies on its right. Farther things are seen on its left.
 struct contour_edge {
-    scan_point from, to; ///< units: 1/256 pixel
-    float nearest = 0;   ///< the larger inv_w of both vertices
+    scan_point from, to; ///< both ends of the edge; units: 1/256 pixel
+    float nearest = 0;   ///< the larger inv_w of both ends
 };
 
 /// Finds the edges of grids at which a surface folds over. They lie between a polygon that turns to
-/// the right in the picture and one that does not. A folded quad is taken as the four triangles by
-/// which it is filled.
+/// the right in the picture and a polygon that does not. A folded quad is taken as the four
+/// triangles by which it is filled.
 ///
 /// Around a vertex, polygons that turn to the right fill the same angle as those that turn to the
-/// left. So both kinds end at such an edge. A surface has no other outlines than these edges and
-/// its borders.
+/// left. So polygons of both kinds end at such an edge. A surface has no other outlines than these
+/// edges and its borders.
 /// Lives: one for each worker, kept for its memory.
 class contour_edges {
 public:
     /// Finds the edges of an item's quads that may reach pixel rows [top, bottom). Edges at the
-    /// item's upper and left ends are its own; those at its lower and right ends belong to its
-    /// neighbours.
-    /// Returns: valid until the next call.
+    /// upper and left end of the item's quads belong to this item; edges at their lower and right
+    /// end belong to the neighbouring items.
+    /// Returns: edges that stay valid until the next call.
     std::span<const contour_edge> find(const band_list& list, const band_item& item,
                                        std::int32_t top, std::int32_t bottom);
 
@@ -43,7 +43,8 @@ private:
                      bool left_turns);
     void add_spokes(const l3d_micro_grid& grid, int row, int column);
 
-    /// The bits of a row of quads: first those that turn to the right, then those that are folded.
+    /// The bits of a row of quads: first a bit for each quad that turns to the right, then a bit
+    /// for each folded quad.
     std::vector<std::uint64_t> above_, here_;
     std::vector<contour_edge> edges_;
 };

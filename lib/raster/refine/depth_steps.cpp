@@ -44,8 +44,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The channels of a pixel are bytes of its word, in the order of memory. The last of four is
-/// transparency.
+/// The channels of a pixel are bytes of its word, in the order of memory. The last of these four
+/// bytes is transparency.
 constexpr std::int32_t channels = sizeof(std::uint32_t);
 constexpr hn::CappedTag<std::uint8_t, 64> levels;
 constexpr auto vector_pixels = static_cast<std::int32_t>(hn::MaxLanes(levels)) / channels;
@@ -66,8 +66,8 @@ HWY_ATTR HWY_INLINE std::uint64_t far_channels(level_lanes of) {
     return bits & 0x7777777777777777;
 }
 
-/// Whether a channel of any of some pixels may jump to the pixel on its right or below.
-/// Transparency counts as a channel here.
+/// Whether, in any of some neighbouring pixels, a channel may jump to the pixel on its right or
+/// below. Transparency counts as a channel here.
 HWY_ATTR HWY_INLINE bool any_far(const std::uint32_t* row, const std::uint32_t* next) {
     const auto here = load(row), beside = load(row + 1), below = load(next);
     const auto range =

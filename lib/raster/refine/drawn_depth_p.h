@@ -13,7 +13,8 @@
 
 namespace l3d_detail {
 
-/// The depths of a picture after drawing. They are not defined where nothing was drawn.
+/// The depths of a picture after drawing, to find which polygons can be seen. Depths are undefined
+/// in tiles into which nothing was drawn.
 class drawn_depth {
 public:
     drawn_depth() = default;
@@ -43,7 +44,8 @@ public:
     }
 
     /// Whether a pixel and all its neighbours show surfaces at least as near as `inv_w`. The
-    /// neighbour (x + to_x, y + to_y) is tested first: choose one that likely shows none.
+    /// neighbour (x + to_x, y + to_y) is tested first: choose a neighbour that likely shows no such
+    /// surface.
     /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
     bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
                std::int32_t to_y) const {

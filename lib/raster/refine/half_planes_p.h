@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// A table for anti-aliasing. It tells which of 64 places in a square of side 1 lie on one side of
-/// a line.
+/// A table for finding the samples of a pixel that a polygon covers. It tells which of 64 places in
+/// a square of side 1 lie on one side of a line.
 ///
 /// A line has a direction (dx, dy) with dy >= 0 and |dx| + dy = 1, and a distance e. A place (x,
 /// y), measured from the square's middle, is on the line's side if e + dx y - dy x >= 0. So lines
@@ -23,13 +23,15 @@ namespace l3d_detail {
 /// error.
 class half_planes {
 public:
-    static constexpr std::size_t turns = 128; ///< steps of dx, from a direction to the opposite one
-    static constexpr std::size_t steps = 126; ///< steps of e, from -1/2 to 1/2
+    static constexpr std::size_t turns = 128; ///< the number of steps of dx, from dx = -1 to dx = 1
+    static constexpr std::size_t steps = 126; ///< the number of steps of e, from -1/2 to 1/2
     static constexpr std::size_t in_row = steps + 2;
-    static constexpr float middle = (steps + 1) / 2.0f; ///< the place of e = 0 in a row
-    static constexpr float first_turn = turns / 2.0f;   ///< the row of the table for dx = 0
+    /// The index of e = 0 in a row of the table.
+    static constexpr float middle = (steps + 1) / 2.0f;
+    static constexpr float first_turn = turns / 2.0f; ///< the row of the table for dx = 0
 
-    /// Makes the table. Each place is the middle of one of cells x cells cells of the square.
+    /// Makes the table. The square has `cells` x `cells` cells. A place is the middle of the cell
+    /// in column x and row y.
     half_planes(std::span<const std::int16_t, 64> x, std::span<const std::int16_t, 64> y,
                 int cells);
 
@@ -40,8 +42,8 @@ public:
     const std::uint64_t* masks() const { return masks_.data(); }
     static constexpr std::size_t others = (turns + 1) * in_row;
 
-    /// The places where a linear function is not negative. It has the value `in_middle` in the
-    /// square's middle, and grows by `right` and `down` over one side of the square.
+    /// The places where a linear function is not negative. The function has the value `in_middle`
+    /// in the square's middle, and grows by `right` and `down` over one side of the square.
     std::uint64_t not_negative(float in_middle, float right, float down) const {
         constexpr std::uint64_t all = ~std::uint64_t{0};
         const float size = (right < 0 ? -right : right) + (down < 0 ? -down : down);
@@ -61,10 +63,11 @@ private:
     std::array<std::uint64_t, 2 * others> masks_{};
 };
 
-/// The table for the samples of a pixel, made at the first call.
+/// The table whose places are the samples of a pixel, made at the first call.
 const half_planes& planes_of_samples();
 
-/// The table for the middles of the 8 x 8 pixels of a tile, row by row.
+/// The table whose places are the middles of the 8 x 8 pixels of a tile, row by row; made at the
+/// first call.
 const half_planes& planes_of_pixels();
 
 } // namespace l3d_detail

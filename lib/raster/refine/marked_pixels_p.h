@@ -18,16 +18,18 @@ namespace l3d_detail {
 /// it.
 struct marked_pixel {
     std::int32_t x, y;
-    std::uint32_t last; ///< the fragment that was added last
+    std::uint32_t last; ///< index of the fragment that was added to the pixel last
     bool is_closed;     ///< whether something was drawn in the pixel and in all pixels around it
-    /// The farthest depth that can still be seen. At first it is the farthest depth drawn in the
-    /// pixel and around it. Polygons that cover all samples may bring it nearer.
+    /// The farthest depth at which a surface can still be seen in the pixel. At first it is the
+    /// farthest depth drawn in the pixel and around it. Polygons that cover all samples may bring
+    /// this depth nearer.
     float farthest;
-    float least;           ///< the least inv_w of the polygons that were added
-    std::uint64_t covered; ///< the samples that these polygons cover
+    float least;           ///< the least inv_w of the polygons that were added to the pixel
+    std::uint64_t covered; ///< the samples that these polygons cover, as bits
 };
 
-/// The marked pixels of a band, by tiles, so that a polygon finds those it may reach.
+/// The marked pixels of a band, sorted by tiles. So the marked pixels that a polygon may reach are
+/// found quickly.
 ///
 /// Shape: rows of tiles of 8 x 8 pixels. A tile has a bit for each pixel: bit 8 row + column.
 ///        Pixels are listed tile by tile, and in each tile in the order of bits.
@@ -37,8 +39,8 @@ public:
     static constexpr std::int32_t side = 8;
     struct tile {
         std::uint64_t bits = 0;
-        std::uint64_t open = 0;  ///< the marked pixels that still take fragments
-        std::uint32_t first = 0; ///< the index of its first marked pixel
+        std::uint64_t open = 0;  ///< the mask of the marked pixels that still take fragments
+        std::uint32_t first = 0; ///< the index of the tile's first marked pixel in pixels()
     };
 
     /// Starts a band. If its first rows of tiles have at least `most` marked pixels, only these
@@ -48,8 +50,8 @@ public:
                std::size_t most);
 
     /// Opens closed pixels again that the added polygons do not cover wholly, and removes their
-    /// fragments. They take all polygons, also those behind the surfaces drawn there. All other
-    /// pixels take no more fragments. Returns whether any pixel is open.
+    /// fragments. Opened pixels take all polygons, also those behind the surfaces drawn in the
+    /// pixel. All other pixels take no more fragments. Returns whether any pixel is open.
     bool reopen();
 
     /// Walks the tiles that have open pixels in a box, one after the other.
@@ -105,11 +107,11 @@ public:
         std::uint32_t last_, next_;
         std::int32_t top_;
         const tile* row_;
-        std::uint64_t rows_; ///< the pixels of a tile that are in the box's rows
+        std::uint64_t rows_; ///< the mask of the tile's pixels that are in the box's rows
         std::uint64_t bits_ = 0;
     };
 
-    /// Whether a box has an open pixel. Expects: as open_tiles.
+    /// Whether a box has an open pixel. Expects: the box lies in the band, and is not empty.
     bool reached(const l3d_pixel_box& box) const { return open_tiles(*this, box).next(); }
 
     /// The tile with this column and row of tiles, counted from the picture's first.
@@ -128,7 +130,7 @@ private:
     void list(tile& of, std::int32_t left, std::int32_t top, const drawn_depth& depth);
 
     l3d_pixel_box band_;
-    std::size_t columns_ = 0; ///< the number of tiles in a row
+    std::size_t columns_ = 0; ///< the number of tiles in a row of the band
     std::int32_t first_row_ = 0;
     std::vector<tile> tiles_;
     std::vector<marked_pixel> pixels_;

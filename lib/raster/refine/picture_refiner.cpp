@@ -14,10 +14,10 @@ namespace l3d_detail {
 
 namespace {
 
-/// The number of marked pixels that ends a slice of a band, with the row of tiles in which it is
-/// reached. Bands of usual frames have fewer. A pixel keeps up to twice the 64 fragments that can
-/// be seen, 16 bytes each. So a slice of a picture 1024 pixels wide has up to 2047 + 8 x 1024
-/// pixels and takes 21 MB.
+/// The number of marked pixels that ends a slice of a band. The slice ends with the row of tiles in
+/// which this number is reached. Bands of usual frames have fewer marked pixels. A pixel keeps up
+/// to twice the 64 fragments that can be seen, 16 bytes each. So a slice of a picture 1024 pixels
+/// wide has up to 2047 + 8 x 1024 pixels and takes 21 MB.
 constexpr std::size_t most_in_slice = 2048;
 
 l3d_pixel_box box_of_band(const drawn_frame& frame, int band) {
@@ -33,7 +33,7 @@ bool is_hidden(const drawn_frame& frame, const band_item& item) {
 }
 
 /// Marks the pixels of a band through which an edge passes, where the edge is not hidden. An edge
-/// on the border of two pixels counts for the first one.
+/// on the border of two pixels counts for the first of both pixels.
 void mark_edge(const contour_edge& edge, const l3d_pixel_box& box, const drawn_depth& depth,
                l3d_pixel_bits& marks) {
     const auto sign = [](std::int32_t n) { return (n > 0 ? 1 : 0) - (n < 0 ? 1 : 0); };

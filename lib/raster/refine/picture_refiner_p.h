@@ -17,25 +17,28 @@
 
 namespace l3d_detail {
 
-/// The data of a frame that refining needs: all of its items, and the picture drawn from them.
+/// The data of a frame that refining needs: all items of the frame, and the picture drawn from
+/// these.
 struct drawn_frame {
     const l3d_pixels& target;
-    l3d_depth_buffer& depth; ///< depth of the whole picture
+    l3d_depth_buffer& depth; ///< the depths of the whole picture
     const l3d_shading& shading;
     std::span<const l3d_material> materials;
-    std::span<const std::uint32_t> colors; ///< the materials' colours, if words are levels
+    /// The materials' colours, if pixel words are levels of materials.
+    std::span<const std::uint32_t> colors;
     const band_list& list;
     const coarse_depth& coarse;
     l3d_pixel_box window; ///< the drawn part of the target
     int rows = 0;         ///< the number of rows in a band
 };
 
-/// Finds the pixels at edges, and draws them again with anti-aliasing. A visible contour passes
-/// through them, or they lie on both sides of a jump of level. Each then shows the mean light of
-/// its 64 samples.
+/// Finds the pixels at edges, and draws them again with anti-aliasing. A pixel is at an edge if a
+/// visible contour passes through it, or if its level jumps to a neighbour's. Each pixel at an edge
+/// then shows the mean light of its 64 samples.
 ///
 /// The pixels of a band depend on the items of the frame, and on the unrefined levels and depths
-/// around them. So they depend neither on the division into bands nor on the number of workers.
+/// around the pixels. So refined pixels depend neither on the division into bands nor on the number
+/// of workers.
 /// Lives: kept for its memory.
 class picture_refiner {
 public:
@@ -46,7 +49,7 @@ public:
 
 private:
     /// The memory of one worker.
-    /// Shape: it begins a pair of cache lines, so that workers do not share any.
+    /// Shape: begins a pair of cache lines, so that no two workers share a line.
     struct alignas(128) worker_space {
         contour_edges edges;
         border_edges borders;
@@ -58,13 +61,13 @@ private:
     void draw_marked(const drawn_frame& frame, int band, worker_space& space);
     void draw_slice(const drawn_frame& frame, int band, worker_space& space);
 
-    l3d_pixel_bits marks_; ///< marks the pixels that are sampled
+    l3d_pixel_bits marks_; ///< marks the pixels that are drawn again
     std::vector<worker_space> each_worker_;
 };
 
 /// Writes the pixel words of a band's marked pixels. A word is the mean light of the polygons'
-/// visible parts, each taken in its middle and weighted by its number of samples. `has_color` tells
-/// whether polygons have the colours of materials.
+/// visible parts, each part taken in its middle and weighted by its number of samples. `has_color`
+/// tells whether polygons have the colours of materials.
 void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   std::span<const l3d_material> materials, bool has_color,
                   const l3d_pixels& target);

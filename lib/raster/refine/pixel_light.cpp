@@ -46,12 +46,12 @@ struct light_sum {
 };
 
 /// The levels of a polygon in mode l3d_shade::levels. They form a plane through its corners'
-/// levels, raised by the mean height of the surface above it.
+/// levels, raised by the mean height of the curved surface of levels above this plane.
 ///
 /// If the level in a side's middle is up by h, the side raises the level by 4 h times the product
-/// of two barycentric coordinates. That product has the mean 1/12 over a triangle, so the mean
-/// height is h / 3. Over a quad it is two thirds of the mean of opposite sides, so h / 3 for each
-/// side, too.
+/// of two barycentric coordinates. This product has the mean 1/12 over a triangle, so the mean
+/// height is h / 3. Over a quad, the mean height is two thirds of the mean h of opposite sides, so
+/// h / 3 for each side, too.
 class level_surface {
 public:
     explicit level_surface(const fragment_polygon& of)
@@ -63,8 +63,8 @@ public:
         most_ = most;
     }
 
-    /// The level at a place. The plane of a sliver is steep, so the level is held between those of
-    /// the corners.
+    /// The level at a place of the picture. The plane of a sliver is steep, so the plane's value is
+    /// held between the levels of the corners.
     /// Units: x and y in pixels.
     float at(const fragment_polygon& of, float x, float y) const {
         return std::min(std::max(of.at(plane_, x, y), least_), most_) + bend_;
@@ -75,7 +75,7 @@ private:
     float bend_, least_, most_;
 };
 
-/// Makes planes of `Count` numbers at a polygon's corners.
+/// Makes the planes through `Count` numbers at each corner of a polygon.
 template <std::size_t Corners, std::size_t Count, class NumbersOf>
 attribute_planes<Count> planes_of(const fragment_polygon& polygon, const NumbersOf& numbers_of) {
     std::array<scan_point, Corners> places;
@@ -180,14 +180,16 @@ private:
     const l3d_shading& shading_;
     const linear_light& tables_ = linear_light_tables();
     bool has_color_;
-    int height_; ///< height of the picture
+    int height_; ///< the height of the picture
     std::span<const fragment_polygon> polygons_;
-    std::optional<face_painter> painter_; ///< set if polygons have names in place of colours
-    std::vector<level_surface> levels_;   ///< one per polygon, if the shader takes levels
+    /// Set if polygons have names (face_painter) in place of colours.
+    std::optional<face_painter> painter_;
+    /// One for each polygon, if the shader takes levels and bends.
+    std::vector<level_surface> levels_;
 };
 
-/// Makes the word of a pixel: `light` from surfaces, and `behind` in the part `empty` that shows no
-/// surface.
+/// Makes the word of a pixel: `light` from surfaces, and `behind` in the share `empty` of the pixel
+/// that shows no surface.
 std::uint32_t word_before(light_sum light, std::uint32_t behind, float empty,
                           const linear_light& tables) {
     if (!(empty > 0))

@@ -18,8 +18,8 @@
 #define L3D_RASTER_PIXEL_SAMPLES_ONCE
 namespace l3d_detail {
 
-/// A fragment that no other one has hidden wholly so far, and the plane of its depth relative to
-/// the pixel's middle.
+/// A fragment that no other fragment has hidden wholly so far, and the plane of its depth relative
+/// to the pixel's middle.
 struct seen_so_far {
     std::uint64_t samples;
     std::uint32_t polygon;
@@ -39,9 +39,9 @@ constexpr hn::RebindToSigned<decltype(side_floats)> side_ints;
 
 /// The four sides of a polygon, which find the samples on their inner sides.
 ///
-/// A side is measured downwards, or to the right if it is level, whichever of its two polygons
-/// asks. One of them takes the samples on one side of it, and the other takes all the rest. So each
-/// sample is in exactly one of both.
+/// A side is measured downwards, or to the right if it is horizontal, whichever of the two polygons
+/// beside it asks. One polygon takes the samples on one side of the line, and the other polygon
+/// takes all the rest. So each sample is in exactly one of both polygons.
 class polygon_sides {
 public:
     HWY_ATTR HWY_INLINE void begin(const fragment_polygon& of) {
@@ -85,7 +85,7 @@ public:
         }
     }
 
-    /// Finds the pixels of a tile that have samples in the polygon, and a few more.
+    /// Finds the pixels of a tile that have samples in the polygon, and a few other pixels.
     HWY_ATTR HWY_INLINE std::uint64_t reached(std::int32_t left, std::int32_t top,
                                               const std::uint64_t* masks) {
         constexpr float middle = marked_pixels::side * l3d_subpixel_one / 2;
@@ -103,17 +103,19 @@ public:
     }
 
 private:
-    /// Floats of this size have no fraction, so adding this number rounds another one.
+    /// Floats of this size have no fraction, so adding this number to a smaller one rounds the sum
+    /// to a whole number.
     static constexpr float whole = 1 << 23;
     static constexpr float last_step = half_planes::steps + 1;
 
-    /// How far the test of a tile reaches beyond its pixels' middles, in the measure of
+    /// The distance by which the test of a tile reaches beyond its pixels' middles, in the units of
     /// half_planes. A pixel's border is 1/2 pixel away. Half a step in direction counts at places
     /// up to 1/2 away, and half a step of e is added.
     static constexpr float tile_margin =
         0.5f / marked_pixels::side + 1.0f / half_planes::turns + 0.5f / half_planes::steps;
 
-    /// Finds the samples in a square around (x, y) that lie on all inner sides.
+    /// Finds the places of a table in a square around (x, y) that lie on the inner side of all four
+    /// sides.
     HWY_ATTR HWY_INLINE std::uint64_t inside(float x, float y, float per_side,
                                              const float* in_middle,
                                              const std::uint64_t* masks) const {
@@ -223,8 +225,8 @@ HWY_ATTR HWY_INLINE seen_fragment measured(const seen_so_far& of, const marked_p
             y + (static_cast<float>(sum_y) * part + 0.5f * cell)};
 }
 
-/// Gives the samples that a fragment shares with others to the nearer one. Returns how many of the
-/// others are left.
+/// Gives the samples that a fragment `here` shares with those in `seen` to the nearer fragment.
+/// Returns how many fragments of `seen` still have samples.
 HWY_ATTR HWY_INLINE std::size_t divide(seen_so_far* seen, std::size_t count, seen_so_far& here,
                                        const half_planes& planes) {
     bool any_gone = false;
@@ -248,8 +250,8 @@ HWY_ATTR HWY_INLINE std::size_t divide(seen_so_far* seen, std::size_t count, see
     return left;
 }
 
-/// Finds the visible fragments of a pixel, beginning with the one that came last. No two of them
-/// share a sample, so there are 64 at most.
+/// Finds the visible fragments of a pixel, beginning with the fragment that came last. No two
+/// visible fragments share a sample, so there are 64 at most.
 HWY_ATTR HWY_INLINE std::size_t see(std::span<const fragment_polygon> polygons,
                                     std::span<const fragment> fragments, const marked_pixel& pixel,
                                     const half_planes& planes,

@@ -16,27 +16,28 @@
 
 namespace l3d_detail {
 
-/// A linear function of the place in the picture. It has a value in a polygon's middle, and changes
-/// for each pixel to the right and each pixel down.
+/// A linear function of the place in the picture. The plane is given by its value in a polygon's
+/// middle, and by its changes for a pixel to the right and a pixel down.
 struct fragment_plane {
     float middle, right, down;
 };
 
 /// A convex polygon that may reach a marked pixel. In a triangle, the last corner comes twice.
 struct fragment_polygon {
-    std::int32_t x[5], y[5]; ///< the corners, and the first one again; units: 1/256 pixel
+    std::int32_t x[5], y[5]; ///< the corners, and the first corner again; units: 1/256 pixel
     float inv_w[4];
     float light[3][4]; ///< the three numbers of l3d_micro_vertex::normal at each corner
     std::int32_t corners;
-    /// The colour of its material, or in mode `error` that of its part. For a lit or inspected
-    /// surface, it is the index of the material.
+    /// The colour of the polygon's material, or in mode `error` the colour of its part. In frames
+    /// that are lit or that see exact patches, it is the material's index instead.
     std::uint32_t color;
-    std::int64_t area2; ///< twice its area, positive if corners turn to the right; not 0
+    /// Twice the polygon's area, positive if its corners turn to the right; not 0.
+    std::int64_t area2;
 
     float middle_x, middle_y; ///< the mean of the four corners; units: pixels
     fragment_plane depth;     ///< the plane of inv_w
 
-    /// Sets all numbers of the corners, how many of them differ, and the area.
+    /// Sets the corners' numbers, the number of different corners, and twice the area.
     void set(const quad_corners& of, std::int32_t of_corners, std::int64_t twice_area) {
         for (std::size_t i = 0; i < of.size(); ++i) {
             x[i] = of[i].x;
@@ -51,7 +52,7 @@ struct fragment_polygon {
         area2 = twice_area;
     }
 
-    /// Computes the mean and the plane of depth. Expects: set() was called.
+    /// Computes the mean of the corners and the plane of depth. Expects: set() was called.
     void set_plane() {
         constexpr double unit = 0.25 / l3d_subpixel_one;
         middle_x = static_cast<float>(unit * (double(x[0]) + x[1] + x[2] + x[3]));
@@ -59,8 +60,8 @@ struct fragment_polygon {
         depth = plane_of(inv_w);
     }
 
-    /// Makes a plane of numbers at the corners. It passes through their mean, and is parallel to
-    /// the differences along both diagonals.
+    /// Makes a plane from a number at each corner. In the corners' mean, it has the mean of these
+    /// numbers, and along both diagonals it has the same differences as the corners.
     fragment_plane plane_of(const float (&numbers)[4]) const {
         const double per_area = l3d_subpixel_one / static_cast<double>(area2);
         const double a = per_area * (double{numbers[2]} - numbers[0]),
@@ -70,7 +71,7 @@ struct fragment_polygon {
                 static_cast<float>(b * (x[2] - x[0]) - a * (x[3] - x[1]))};
     }
 
-    /// The value of a plane at a place. Units: pixels.
+    /// The value of a plane of this polygon at a place of the picture. Units: pixels.
     float at(const fragment_plane& plane, float to_x, float to_y) const {
         return plane.middle + (plane.right * (to_x - middle_x) + plane.down * (to_y - middle_y));
     }
@@ -109,9 +110,9 @@ struct seen_fragment {
 std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
                           marked_pixels& pixels, fragment* to, std::uint32_t first);
 
-/// Finds the pixel boxes of `count` consecutive quads in a row of a grid, clipped to a box. Writes
-/// up to 15 more elements, which mean nothing.
-/// Expects: room for all of them.
+/// The boxes of pixels around consecutive quads in a row of a grid. find() finds the boxes of
+/// `count` quads, clipped to `inside`. It writes up to 15 more elements, which mean nothing.
+/// Expects: room for all of these elements.
 struct quad_boxes {
     std::vector<std::int32_t> left, top, right, bottom;
 
@@ -122,14 +123,16 @@ struct quad_boxes {
 /// The fragments that are seen in a few pixels, in the order in which they were added. No two
 /// fragments of a pixel share a sample.
 struct seen_in_pixels {
-    static constexpr std::size_t most = 4; ///< pixels
+    static constexpr std::size_t most = 4; ///< the largest number of pixels
 
     std::array<seen_fragment, most * sample_places::count> fragments;
-    std::array<std::size_t, most + 1> begins; ///< the first fragment of each pixel, and the end
+    /// Index of each pixel's first fragment, and the end of the last pixel's.
+    std::array<std::size_t, most + 1> begins;
 };
 
-/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels. It is the
-/// one whose plane of depth is the nearest; among equals, the one that was added first.
+/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels. The
+/// polygon whose plane of depth is the nearest there is seen; among equals, the polygon that was
+/// added first.
 void see_samples(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
                  std::span<const marked_pixel> pixels, seen_in_pixels& to);
 

@@ -11,10 +11,10 @@
 namespace l3d_detail {
 
 /// The places of a pixel's 64 samples, in the middles of 16 x 16 cells. Each row and each column of
-/// cells has four.
+/// cells has four samples.
 ///
-/// They were searched for so that either side of any straight edge has nearly as many samples as
-/// its area demands. At most 3.4 of the 64 samples are wrong, and 0.73 in the mean. A
+/// These places were searched for so that either side of any straight edge has nearly as many
+/// samples as its area demands. At most 3.4 of the 64 samples are wrong, and 0.73 in the mean. A
 /// (0, 2)-sequence, with one sample in each rectangle of 1/64 of the pixel, has up to 7.5 wrong
 /// samples at diagonals.
 ///

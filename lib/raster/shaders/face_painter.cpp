@@ -53,8 +53,8 @@ void face_painter::begin(std::uint32_t name) {
 ///
 /// A place in the picture is a direction (x, y, 1) in the space of x w, y w and w. The plane
 /// through the origin and two corners is 0 on the side between them. So the share of the third
-/// corner is the distance of (x, y, 1) from that plane, over the sum of all three. No corner need
-/// be visible.
+/// corner is the distance of (x, y, 1) from that plane, over the sum of all three such distances.
+/// No corner need be visible.
 void face_painter::begin_triangle(const l3d_painted_model& model,
                                   const l3d_painted_triangle& triangle) {
     triangle_ = &triangle;
@@ -105,7 +105,7 @@ l3d_texture_place face_painter::place_at(const std::array<double, 3>& shares) co
     return place;
 }
 
-/// Finds a pixel's light and its place in the texture. Corners are drawn on a lattice of 1/256
+/// Finds the light and the place in the texture of a pixel. Corners are drawn on a lattice of 1/256
 /// pixel. So a pixel at a side may lie beside the exact triangle; negative shares count as 0.
 void face_painter::place(double x, double y, std::size_t pixel) {
     std::array<double, 3> shares;

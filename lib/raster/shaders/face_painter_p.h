@@ -19,10 +19,10 @@
 
 namespace l3d_detail {
 
-/// Finds the colour of a painted triangle in each pixel, or that of a material. Both go by their
-/// numbers ("names"), as in l3d_face_paints. It keeps the planes of the last triangle, which
-/// neighbouring pixels mostly share.
-/// Lives: borrows paints and materials; belongs to one worker.
+/// Finds the colour of a painted triangle in each pixel, or the colour of a material. Triangles and
+/// materials are named by numbers ("names"), as in l3d_face_paints. It keeps the planes of the last
+/// triangle, which neighbouring pixels mostly share.
+/// Lives: borrows paints and materials; each painter belongs to one worker.
 class face_painter {
 public:
     face_painter(const l3d_face_paints& paints, std::span<const l3d_material> materials)
@@ -42,8 +42,8 @@ public:
         return words()[0];
     }
 
-    /// Finds the colours of pixels of a row: afterwards, words() has them for pixels that show
-    /// something.
+    /// Finds the colours of pixels of a row: afterwards, words() has the colours of pixels that
+    /// show something.
     void paint(const named_pixels& pixels);
     const std::uint32_t* words() const { return batch_.words(); }
 
@@ -72,15 +72,16 @@ private:
     paint_batch batch_;
     named_pixels one_{};
     std::uint32_t name_ = no_name, material_ = 0, flat_color_ = 0;
-    const l3d_painted_triangle* triangle_ = nullptr; ///< null if the whole polygon has flat_color_
+    /// The painted triangle that is set up; null if the whole polygon has flat_color_.
+    const l3d_painted_triangle* triangle_ = nullptr;
     const l3d_texture* texture_ = nullptr;
-    std::array<plane, 3> sides_{};     ///< a function for each corner, 0 on the opposite side
+    std::array<plane, 3> sides_{}; ///< a function for each corner, which is 0 on the opposite side
     plane u_{0.0}, v_{0.0}, all_{0.0}; ///< u and v, each times all_; all_ is the sum of sides_
-    /// Light of the corners' colours times the material's.
+    /// The light of each corner's colour, times the light of the material's colour.
     std::array<l3d_light_color, 3> corners_{};
 };
 
-/// A lit_shader for frames with painted triangles.
+/// A lit_shader for frames with painted triangles, which finds their colour in each pixel.
 class painted_lit_shader : public lit_shader {
 public:
     /// Lives: borrows shading and materials.

@@ -17,7 +17,7 @@ using vector = l3d_inspected_patches::vector;
 constexpr double degrees = 180 / std::numbers::pi;
 
 /// The distance of a point from the ray through a pixel, along the picture's axes. For a direction,
-/// it is the change of that distance along the direction.
+/// it is the change of this distance along the direction.
 struct offset {
     double x, y;
     offset(const vector& of, const vector& ray)
@@ -43,8 +43,8 @@ private:
     double determinant_;
 };
 
-/// The change of an angle for a change of its cosine. At 0 and at 180 degrees, it has no bound.
-/// Stripes are widest there, so the bound of 1 / `least` is enough.
+/// The change of an angle for a change of its cosine. At 0 and at 180 degrees, this change has no
+/// bound. Stripes are widest at these angles, so the bound of 1 / `least` is enough.
 double angle_change(double cosine, double change) {
     constexpr double least = 1e-4;
     return change / std::max(std::sqrt(std::max(0.0, 1 - cosine * cosine)), least);
@@ -92,13 +92,14 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
 
 /// The eye's view of a patch, and its change from a pixel to the next ones.
 struct inspection_shader::sight {
-    vector ray;                       ///< unit
-    std::array<vector, 2> ray_change; ///< a pixel to the right, and one down
-    l3d_patch_bend bend;              ///< its normal turned to the eye
-    std::array<vector, 2> turn;       ///< change of the normal for the same two steps
+    vector ray; ///< unit vector from the eye to the patch's point
+    /// The change of `ray` to the next pixel on the right, and to the next below.
+    std::array<vector, 2> ray_change;
+    l3d_patch_bend bend; ///< normal and curvature of the patch; the normal is turned to the eye
+    std::array<vector, 2> turn; ///< the change of the normal over the same two steps
 };
 
-/// The view of a point of the patch. It is empty where the surface has no normal.
+/// The view of a point of the patch. The result is empty where the surface has no normal.
 std::optional<inspection_shader::sight> inspection_shader::look_at(patch_parameters at, double x,
                                                                    double y) const {
     const l3d_patch_jet jet = l3d_jet_of(*net_, at.u, at.v);
@@ -130,8 +131,8 @@ std::optional<inspection_shader::sight> inspection_shader::look_at(patch_paramet
     return result;
 }
 
-/// The colour of a stripe of `zebra` or `isophotes`. It is the mean over the pixel, as if the angle
-/// changed linearly.
+/// The colour of a stripe of `zebra` or `isophotes`. This colour is the mean over the pixel, as if
+/// the angle changed linearly in it.
 std::uint32_t inspection_shader::stripe(const sight& of) const {
     const vector& n = of.bend.normal;
     const bool is_zebra = shading_.mode == l3d_shade::zebra;

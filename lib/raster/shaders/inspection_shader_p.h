@@ -17,7 +17,7 @@
 
 namespace l3d_detail {
 
-/// The parameters of a patch at a pixel, and whether they were found exactly.
+/// The parameters of a patch at a pixel, and whether the parameters were found exactly.
 struct patch_parameters {
     double u = 0, v = 0;
     bool is_solved = false;
@@ -30,8 +30,8 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v);
 
-/// The common part of shaders that evaluate exact patches. From the vertices they take only the
-/// pixel's place and a guess of its parameters.
+/// The common part of shaders that evaluate exact patches. From the vertices, such shaders take
+/// only a guess of a pixel's parameters.
 class patch_shader {
 public:
     /// The numbers that are interpolated: the parameters u and v.
@@ -64,8 +64,8 @@ protected:
     explicit patch_shader(const l3d_shading& shading)
         : shading_(shading), patches_(*shading.inspected) {}
 
-    /// The exact parameters of a place. The guess comes from a plane through a polygon's corners,
-    /// and may be poor, above all in slivers.
+    /// The patch's exact parameters that are seen at a place of the picture. The guess comes from a
+    /// plane through a polygon's corners, and may be poor, above all in slivers.
     patch_parameters solved(const float* guess, double x, double y) const;
 
     const l3d_shading& shading_;
@@ -75,7 +75,8 @@ protected:
     std::int64_t unsolved_ = 0;
 
 private:
-    std::array<float, components> least_{}, most_{}; ///< bounds of the polygon's corners
+    /// Bounds of the parameters at the polygon's corners.
+    std::array<float, components> least_{}, most_{};
 };
 
 /// Shows a quantity of the exact patch as a colour in each pixel, or as stripes.
@@ -83,12 +84,14 @@ class inspection_shader : public patch_shader {
 public:
     explicit inspection_shader(const l3d_shading& shading) : patch_shader(shading) {}
 
-    /// The pixel word of a place. Units: pixels from the picture's top left corner.
+    /// The pixel word of a place, from a guess of the patch's parameters. Units: pixels from the
+    /// picture's top left corner.
     std::uint32_t word_at(const float* guess, double x, double y);
 
     /// The pixel word for a part of a pixel around a place. Stripes are means over whole pixels
-    /// already, so all parts of a patch in one pixel should show the same word. At outlines, the
-    /// ray through the pixel's middle may miss the patch.
+    /// already. So the word is that of the pixel's middle, the same for all parts of a patch in the
+    /// pixel. At outlines, the ray through the pixel's middle may miss the patch; then the word is
+    /// that of the place.
     std::uint32_t word_around(const float* guess, double x, double y);
 
 private:

@@ -22,9 +22,9 @@ namespace l3d_detail {
 class levels_shader {
 public:
     static constexpr std::size_t components =
-        2; ///< the place in the picture, from the first corner
+        2; ///< the place in the picture, relative to the first corner
 
-    /// Begins a quad: polygons are pieces of it until end_quad.
+    /// Begins a quad: the next polygons are pieces of this quad, until end_quad.
     void begin_quad(const quad_corners& v) {
         set_quad(v);
         in_quad_ = true;
@@ -52,11 +52,11 @@ public:
         return std::min(grey, 255u) * 0x010101u;
     }
 
-    /// A bound for the error of levels, as the change of w over the polygon is neglected. A level
-    /// is a mean of the corners' numbers, with weights that add up to 1. The true weights are these
-    /// times the corners' w, scaled to add up to 1. They differ by (ratio - 1) / 4 at most, where
-    /// ratio is the largest w by the least. So the error is at most this times the range of the
-    /// numbers.
+    /// A bound for the error of levels, which comes from neglecting the change of w over the
+    /// polygon. A level is a mean of the corners' numbers, with weights that add up to 1. The true
+    /// weights are these times the corners' w, scaled to add up to 1. True and used weights differ
+    /// by (ratio - 1) / 4 at most, where ratio is the largest w divided by the least. So the error
+    /// is at most (ratio - 1) / 4 times the range of the numbers.
     float error() const { return error_; }
 
 private:
@@ -135,8 +135,8 @@ private:
                4 * t * (1 - t) * ((1 - s) * bends_[3] + s * bends_[1]);
     }
 
-    /// The root of a quadratic equation that is nearer to [0, 1], clamped to it; 0 if neither is a
-    /// number.
+    /// The root of a quadratic equation that is nearer to [0, 1], clamped to this range; 0 if
+    /// neither root is a number.
     static double nearest_parameter(double a, double b) {
         const auto beside = [](double p) {
             return std::isfinite(p) ? std::max({-p, p - 1, 0.0}) : HUGE_VAL;

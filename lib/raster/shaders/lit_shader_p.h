@@ -22,9 +22,10 @@ struct lit_material {
     vector3 color{255, 255, 255}, highlight{};
     int sharpness = 1;
 
-    /// Highlights are left out where the square of their cosine is below this, since their power of
-    /// the cosine is too small there to be seen, and slow to compute. It is less than 2^-12, or for
-    /// a large sharpness k less than exp(-e), since (1 - e / k)^k < exp(-e).
+    /// The limit of the square of a highlight's cosine, below which the highlight is left out.
+    /// Below it, the power of the cosine is too small to be seen, and slow to compute. The power is
+    /// less than 2^-12, or for a large sharpness k less than exp(-e), since (1 - e / k)^k <
+    /// exp(-e).
     float least_square = 0;
 
     lit_material() = default;
@@ -51,7 +52,7 @@ private:
 /// sum of its corners' normals; the eye and highlights are computed for each pixel.
 class lit_shader {
 public:
-    /// The numbers that are interpolated: the normal, own_way() and the depth.
+    /// The numbers that are interpolated between corners: the normal, own_way() and the depth.
     static constexpr std::size_t components = 7;
     static constexpr bool interpolates_normals = true;
 
@@ -59,7 +60,7 @@ public:
     lit_shader(const l3d_shading& shading, std::span<const l3d_material> materials)
         : shading_(shading), materials_(materials), turns_(turns_normals(shading)) {}
 
-    /// Whether normals must be turned to the eye in each pixel.
+    /// Whether a frame's normals must be turned to the eye in each pixel.
     static bool turns_normals(const l3d_shading& shading) {
         return shading.mode != l3d_shade::flat && shading.ray != vector3{};
     }
@@ -101,8 +102,8 @@ public:
 
     static bool is_parallel(const l3d_shading& shading) { return shading.depth_step != 0; }
 
-    /// The part of the ray from the eye that differs from pixel to pixel: `look` of the shading in
-    /// perspective, otherwise `aside`.
+    /// The part of the ray from the eye that differs from pixel to pixel. It is the shading's
+    /// `look` in perspective, and its `aside` in a parallel projection.
     static vector3 own_way(const l3d_shading& shading, float x, float y) {
         const bool parallel = is_parallel(shading);
         const vector3 &at = parallel ? shading.aside : shading.look,
@@ -117,8 +118,8 @@ public:
     /// Sets another colour than the material's, 0x00RRGGBB, until use_material is called again.
     void use_color(std::uint32_t color) { material_.use_color(color); }
 
-    /// The pixel word of interpolated numbers. lit_words computes the same in lanes, operation by
-    /// operation.
+    /// The pixel word of a pixel's interpolated numbers. lit_words computes the same in lanes,
+    /// operation by operation.
     std::uint32_t word(const float* at) const {
         const vector3 raw{at[0], at[1], at[2]}, own{at[3], at[4], at[5]};
         const vector3 look = is_parallel(shading_) ? shading_.look : own;
@@ -150,7 +151,7 @@ public:
 private:
     static float length(const vector3& v) { return std::sqrt(safe_square(dot(v, v.data()))); }
 
-    /// A unit normal of a surface, and the ray from the eye to the surface there.
+    /// A unit normal of a surface, and the ray from the eye to the normal's place.
     struct seen_normal {
         vector3 normal, look;
         float distance, against; ///< the ray's length, and its product with the normal
@@ -231,8 +232,8 @@ private:
     float farthest_ = 0, nearest_ = std::numeric_limits<float>::max();
 };
 
-/// Keeps a pixel's normal, to be lit later: z and the material in its word, x and y in a second
-/// word (fill_words).
+/// Keeps a pixel's normal, which lit_words lights when all polygons are filled: z and the material
+/// in its word, x and y in a second word (fill_words).
 class later_shader {
 public:
     static constexpr std::size_t components = 3;

@@ -28,7 +28,7 @@ HWY_INLINE float_vec set(float value) {
     return hn::Set(floats(), value);
 }
 
-/// Three numbers of each pixel.
+/// A vector in space for each pixel.
 struct lane_vector {
     float_vec x, y, z;
 
@@ -78,8 +78,8 @@ template <std::size_t Channels> struct light_amounts {
 /// The light of a vector of pixels. Shape: one channel if all lights are white or grey.
 template <std::size_t Channels> class lane_light {
 public:
-    /// `own` is the part of the vector from the eye that differs from pixel to pixel, as in
-    /// lit_shader.
+    /// Takes the normals `raw` of pixels, and `own`: the part of the ray from the eye that differs
+    /// from pixel to pixel, as lit_shader::own_way.
     HWY_INLINE lane_light(const l3d_shading& shading, const lane_vector& raw,
                           const lane_vector& own, float_vec depth)
         : shading_(shading), look_(look_of(shading, own)), distance_(length_of(look_)) {
@@ -206,28 +206,30 @@ private:
 
     const l3d_shading& shading_;
     lane_vector look_, normal_;
-    lane_vector place_; ///< places of pixels, relative to the eye; set if there are point lights
+    /// The places that pixels show, relative to the eye; set if there are point lights.
+    lane_vector place_;
     float_vec distance_, against_;
 };
 
-/// The signed numbers in the upper halves of words, as floats.
+/// The signed 16-bit numbers in the upper halves of words, as floats.
 HWY_INLINE float_vec upper(word_vec word) {
     const hn::RebindToSigned<floats> whole;
     return hn::ConvertTo(floats(), hn::ShiftRight<16>(hn::BitCast(whole, word)));
 }
 
-/// Pixels side by side.
+/// Pixels of a row side by side, whose normals are to be lit.
 struct pixel_row {
     std::uint32_t* words;
     const float* depths;
     const std::uint32_t* normals;
-    const std::uint32_t* colors; ///< null if materials tell the colours; see lit_pixels
-    lane_vector own;             ///< `look`, or `aside` with parallel rays, where x is 0
-    lane_vector own_right;       ///< the change from a column to the next
+    /// The pixels' colours; null if materials tell them (lit_pixels::colors).
+    const std::uint32_t* colors;
+    /// The shading's `look`, or `aside` with parallel rays, in column 0 of the row.
+    lane_vector own;
+    lane_vector own_right; ///< the change of `own` from a column to the next
 };
 
-/// The words of filled pixels, found for one material at a time. Most vectors have only one
-/// material.
+/// The words of lit pixels, found for one material at a time. Most vectors have only one material.
 template <std::size_t Channels>
 HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
                                  const word_vec* colors, word_vec there, float_mask filled) {

@@ -20,10 +20,12 @@ struct lit_pixels {
     std::ptrdiff_t word_pitch;
     const float* depths;
     const std::uint32_t* normals;
-    std::ptrdiff_t depth_pitch; ///< the pitch of depths and of normals
-    std::int32_t left, top;     ///< the place of the first pixel in the picture
+    /// The distance between rows of depths, and between rows of normals.
+    std::ptrdiff_t depth_pitch;
+    std::int32_t left, top; ///< column and row of the rectangle's first pixel in the picture
     std::int32_t width, height;
-    /// The colours of the pixels, if they are a single row and materials do not tell their colours.
+    /// The colours of the pixels of a rectangle with a single row, if materials do not tell these
+    /// colours; else null.
     const std::uint32_t* colors = nullptr;
 };
 
@@ -32,7 +34,7 @@ class lit_words {
 public:
     /// Sets the shading and the materials of a frame.
     /// Expects: at most fill_words::most_lit_materials.
-    /// Lives: borrows both for the frame.
+    /// Lives: borrows shading and materials for the frame.
     void begin(const l3d_shading& shading, std::span<const l3d_material> materials) {
         shading_ = &shading;
         frame_materials_ = materials;
@@ -43,8 +45,8 @@ public:
             materials_.emplace_back(l3d_material());
     }
 
-    /// Lights all pixels with a depth other than 0; the others are empty. The results have the same
-    /// bits as those of lit_shader for the normals that the words hold. A pixel costs some 20
+    /// Lights all pixels with a depth other than 0; other pixels are empty. The results have the
+    /// same bits as those of lit_shader for the normals that the words hold. A pixel costs some 20
     /// operations for each light and 80 more, in lanes.
     void color(const lit_pixels& pixels) const;
 

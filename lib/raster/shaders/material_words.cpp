@@ -52,7 +52,7 @@ struct color_halves {
     }
 };
 
-/// Colours vectors of words. Most vectors are full, and have the material of the one before.
+/// Colours vectors of words. Most vectors are full, and have the material of the vector before.
 class word_colorer {
 public:
     HWY_INLINE explicit word_colorer(const std::uint32_t* colors)
@@ -91,7 +91,7 @@ private:
     }
 
     const std::uint32_t* colors_;
-    word_vec material_; ///< the last vector's material, and its colour
+    word_vec material_; ///< the material in the words of the last vector
     color_halves color_;
 };
 #endif

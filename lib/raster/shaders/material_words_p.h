@@ -12,7 +12,7 @@
 
 namespace l3d_detail {
 
-/// A rectangle of a picture: its words and depths. Units: pitches in elements.
+/// The words and depths of a rectangle of a picture. Units: pitches in elements.
 struct material_pixels {
     std::uint32_t* words;
     std::ptrdiff_t word_pitch;
@@ -21,12 +21,13 @@ struct material_pixels {
     std::int32_t width, height;
 };
 
-/// The colour of a level of a material, by the rule that l3d_material states.
+/// The colour of a material's surface at a grey level, by the rule that l3d_material states.
 inline std::uint32_t color_of_level(std::uint32_t color, std::uint32_t level) {
     return l3d_product_of_colors(color, level * 0x010101);
 }
 
-/// Colours the levels of a frame's materials. Lives: kept for its memory.
+/// Replaces the levels of a frame's materials by colours, after all polygons are filled. Lives:
+/// kept for its memory.
 class material_words {
 public:
     void begin(std::span<const l3d_material> materials) {
@@ -38,7 +39,7 @@ public:
     /// The colour of each material.
     std::span<const std::uint32_t> colors() const { return colors_; }
 
-    /// Whether words are levels of materials, which are to be coloured.
+    /// Whether the frame's words are levels of materials, which are to be replaced by colours.
     bool wanted() const { return !colors_.empty(); }
 
     /// Replaces words that are levels of materials (fill_words) by colours. Pixels with depth 0 are

@@ -25,7 +25,7 @@ public:
     }
     void end_run();
 
-    /// The pixel word of a single place.
+    /// The pixel word of a single place, from a guess of the patch's parameters.
     std::uint32_t word_at(const float* guess, double x, double y);
     std::uint32_t word_around(const float* guess, double x, double y) {
         return word_at(guess, x, y);

@@ -34,8 +34,8 @@ std::size_t paint_batch::add_part(const named_pixels& from, std::size_t begin) {
     return run.end;
 }
 
-/// Adds a range to the pixels that wait to be painted. All that wait are one range; pixels in its
-/// gaps show nothing.
+/// Adds a range to the pixels that wait to be painted. All waiting pixels form one range; pixels of
+/// this range that were not added show nothing.
 void paint_batch::add(const l3d_texture* texture, const pixel_range& range) {
     if (texture != texture_)
         finish();

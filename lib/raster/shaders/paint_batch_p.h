@@ -16,8 +16,8 @@ namespace l3d_detail {
 
 /// Gathers runs of pixels of painted parts, and colours them some at a time in lanes.
 ///
-/// Cost:  keeps the last quads, which pixels in the next rows mostly need again.
-/// Lives: borrows parts and materials; belongs to one worker.
+/// Cost:  keeps the quads that it set up last, as pixels in the next rows mostly need these again.
+/// Lives: borrows parts and materials; each batch belongs to one worker.
 class paint_batch {
 public:
     paint_batch(const painted_parts* parts, l3d_texture_filter filter,
@@ -31,23 +31,24 @@ public:
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
     /// Takes the pixels from `begin` on that show one part or nothing. Returns the index behind the
-    /// last of them.
-    /// Expects: has() is true for the first one's name.
+    /// last pixel taken.
+    /// Expects: has() is true for the first pixel's name.
     std::size_t add_part(const named_pixels& from, std::size_t begin);
 
-    /// Takes pixels whose places and light the caller sets in pixels(). They see this texture, or
-    /// none if it is null.
+    /// Takes pixels whose places and light the caller sets in pixels(). The pixels show this
+    /// texture, or none if it is null.
     void add(const l3d_texture* texture, const pixel_range& range);
     painted_pixels& pixels() { return pixels_; }
 
-    /// Gives pixels this colour.
+    /// Takes pixels that get this colour, 0x00RRGGBB.
     void add_color(std::uint32_t color, const pixel_range& range) {
         finish();
         std::fill(pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.begin),
                   pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.end), color);
     }
 
-    /// Colours the pixels that still wait. Then words() has the colours of all pixels taken.
+    /// Colours the pixels that were taken and still wait for more. Then words() has the colours of
+    /// all pixels taken.
     void finish();
     const std::uint32_t* words() const { return pixels_.words.data(); }
 
@@ -57,7 +58,7 @@ private:
     const painted_parts* parts_;
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
-    const painted_part* part_ = nullptr;   ///< the part of the last pixels
+    const painted_part* part_ = nullptr;   ///< the part that was asked for last
     const l3d_texture* texture_ = nullptr; ///< the texture of the pixels that wait
     pixel_range waiting_;
     painted_pixels pixels_{};

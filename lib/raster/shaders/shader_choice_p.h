@@ -49,7 +49,7 @@ concept has_lanes = requires(const Shader shader) {
     shader.in_lanes();
 };
 
-/// Whether a shader lights normals that are interpolated between corners.
+/// Whether a shader lights normals that are interpolated between a polygon's corners.
 template <class Shader>
 concept has_normals = Shader::interpolates_normals;
 
@@ -59,7 +59,8 @@ concept counts_unsolved = requires(Shader shader) {
     shader.take_unsolved();
 };
 
-/// Calls action with the frame's shader: one switch for a batch, none for each pixel.
+/// Calls action with the shader that the frame's mode needs. So the mode is tested once for a batch
+/// of polygons, and not for each pixel.
 template <class Action>
 void with_shader(const l3d_shading& shading, std::span<const l3d_material> materials,
                  std::uint32_t error_color, const Action& action) {

@@ -32,8 +32,8 @@ inline float dot(const vector3& a, const float* b) {
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
-/// The square |n|^2 as a divisor, bounded from below, so that a zero normal has cosine 0 instead of
-/// NaN.
+/// The square of a normal's length as a divisor. It is bounded from below, so that a zero normal
+/// has cosine 0 instead of NaN.
 inline float safe_square(float square) {
     return square > FLT_MIN ? square : FLT_MIN;
 }
@@ -76,15 +76,15 @@ inline float polygon_intensity(std::span<const l3d_micro_vertex> corners,
     return intensity(away > 0 ? -lit : lit);
 }
 
-/// Writes the normal's components, and the normal's product with the ray from the eye, which is
-/// positive if the normal points away.
+/// Writes the components of a vertex's normal to `out`, and then the normal's product with the ray
+/// from the eye. The product is positive if the normal points away from the eye.
 inline void put_normal(const l3d_micro_vertex& vertex, const l3d_shading& shading, float* out) {
     for (std::size_t i = 0; i < 3; ++i)
         out[i] = vertex.normal[i];
     out[3] = away_from_eye(vertex, shading);
 }
 
-/// Grey from the interpolated normal, turned to the eye.
+/// Mode `lambert`: grey from the interpolated normal, turned to the eye.
 class lambert_shader {
 public:
     static constexpr std::size_t components = 4;
@@ -106,7 +106,7 @@ private:
     const l3d_shading& shading_;
 };
 
-/// Grey interpolated from the corners' greys.
+/// Mode `gouraud`: grey interpolated from the corners' greys.
 class gouraud_shader {
 public:
     static constexpr std::size_t components = 1;
@@ -124,7 +124,8 @@ public:
     void corner(const l3d_micro_vertex& vertex, float* out) const { *out = grey(vertex); }
 
     /// The pixel word of an interpolated intensity. If four corners are not in one plane, their
-    /// plane exceeds the corners' intensities near a corner, so the result is clamped.
+    /// plane exceeds the corners' intensities near a corner. So the intensity is clamped to the
+    /// corners' range.
     std::uint32_t word(const float* value) const {
         const float least = *value > darkest_ ? *value : darkest_;
         return grey_word(least < brightest_ ? least : brightest_);
@@ -141,7 +142,7 @@ private:
     float darkest_ = 0, brightest_ = 1;
 };
 
-/// One grey for the whole polygon, from the sum of its corners' normals.
+/// Mode `flat`: one grey for the whole polygon, from the sum of its corners' normals.
 class flat_shader {
 public:
     static constexpr std::size_t components = 0;
@@ -161,7 +162,7 @@ private:
     std::uint32_t word_ = 0;
 };
 
-/// The interpolated unit normal, turned to the eye, as a colour.
+/// Mode `normals`: the interpolated unit normal, turned to the eye, as a colour.
 class normals_shader {
 public:
     static constexpr std::size_t components = 4;
@@ -192,7 +193,7 @@ private:
     const l3d_shading& shading_;
 };
 
-/// The same word for all pixels of a polygon.
+/// Gives all pixels of a polygon the same word, as mode `error` does.
 class constant_shader {
 public:
     static constexpr std::size_t components = 0;

@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// Twice the signed area of the triangle that two vectors span. |components| <= 2^24: |result| <=
-/// 2^49.
+/// Twice the signed area of the triangle that two vectors span. If |components| <= 2^24, then
+/// |result| <= 2^49.
 constexpr std::int64_t cross(scan_point a, scan_point b) {
     return std::int64_t{a.x} * b.y - std::int64_t{a.y} * b.x;
 }
@@ -21,8 +21,8 @@ constexpr scan_point operator-(scan_point a, scan_point b) {
     return {a.x - b.x, a.y - b.y};
 }
 
-/// A view of linear functions in the picture. Each is base + along_x (x - base_x) + along_y (y -
-/// base_y).
+/// A view of the planes of attribute_planes: linear functions of the place in the picture. Each is
+/// base + along_x (x - base_x) + along_y (y - base_y).
 /// Lives: borrows the arrays.
 /// Units: places in 1/256 pixel.
 struct plane_view {
@@ -34,7 +34,7 @@ struct plane_view {
 
 /// The planes through `Count` numbers at each corner of a polygon, for interpolation.
 ///
-/// They are computed in double, since along a sliver the two gradients are large and cancel. Take
+/// Planes are computed in double, since along a sliver the two gradients are large and cancel. Take
 /// corners within 64 pixels (2^14) and the least area (1/2). Gradients then reach 2^14 times the
 /// corners' differences per unit, and 2^28 times at the far end. So 53 bits leave an error of 2^-25
 /// of the differences.
@@ -63,12 +63,12 @@ public:
         set_gradients(p[2] - p[0], p[3] - p[1], v[2], v[0], v[3], v[1], area2);
     }
 
-    /// The numbers at the centre of a pixel.
+    /// The interpolated numbers at the centre of a pixel.
     numbers at(std::int32_t column, std::int32_t row) const {
         return at_place(pixel * (column + 0.5), pixel * (row + 0.5));
     }
 
-    /// The numbers at any place. Units: 1/256 pixel.
+    /// The interpolated numbers at any place. Units: 1/256 pixel.
     numbers at_place(double x, double y) const {
         numbers result;
         for (std::size_t i = 0; i < Count; ++i)
@@ -79,11 +79,11 @@ public:
         return base_[i] + along_x_[i] * (x - base_x_) + along_y_[i] * (y - base_y_);
     }
 
-    /// The change of number i for 1/256 pixel along x, and along y.
+    /// The change of number i over 1/256 pixel along x; along_y() is its change along y.
     double along_x(std::size_t i) const { return along_x_[i]; }
     double along_y(std::size_t i) const { return along_y_[i]; }
 
-    /// A view of the planes. Lives: borrows them.
+    /// A view of these planes. Lives: borrows them.
     plane_view view() const {
         return {base_x_, base_y_, base_.data(), along_x_.data(), along_y_.data()};
     }

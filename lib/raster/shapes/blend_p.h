@@ -8,11 +8,11 @@
 
 namespace l3d_detail {
 
-/// Blends a word's three lower bytes with a colour's: each moves by coverage / 255 of the
+/// Blends a word's three lower bytes with a colour's: each byte moves by coverage / 255 of its
 /// difference, rounded to the nearest.
 ///
 /// Red and blue share one number, 16 bits each, as sums stay below 2^16. A division t / 255 is (t +
-/// 1 + t / 256) / 256, rounded down each time.
+/// 1 + t / 256) / 256, where each quotient is rounded down.
 inline std::uint32_t blended(std::uint32_t word, std::uint32_t color, int coverage) {
     constexpr std::uint32_t two = 0x00ff00ff;
     const auto to = static_cast<std::uint32_t>(coverage), from = 255 - to;

@@ -8,7 +8,8 @@
 
 namespace {
 
-/// A coordinate as a whole pixel, for l3d_line_2d. Coordinates reach as far as those of paths.
+/// A coordinate as a whole pixel, for l3d_line_2d. It is clamped to the largest coordinate of
+/// paths.
 int whole(double at) {
     constexpr double most = 1 << 30;
     return static_cast<int>(std::floor(std::clamp(at, -most, most) + 0.5));

@@ -9,7 +9,7 @@
 
 namespace l3d_detail {
 
-/// An integer for products of two coordinates, which may be 2^39 units of 1/256 pixel apart.
+/// An integer for products of two differences of coordinates, each up to 2^39 units of 1/256 pixel.
 __extension__ typedef __int128 wide_integer;
 
 /// The quotient n / d, rounded down. Expects: d > 0.
@@ -36,7 +36,8 @@ constexpr whole_range where_within(whole_range among, wide_integer slope, wide_i
             std::min(among.last, floor_quotient(high, slope))};
 }
 
-/// The numbers (n + i s) / d for i = 0, 1, 2...: the floor and the remainder of each.
+/// Steps through the numbers (n + i s) / d for i = 0, 1, 2..., and gives the floor and the
+/// remainder of each number.
 ///
 /// Expects: 0 < d < 2^62; every floor that is asked for fits 62 bits.
 /// Cost:    two divisions to set up, three additions and a comparison for each step.

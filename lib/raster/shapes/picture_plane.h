@@ -14,7 +14,8 @@
 /// Expects: a triangle that covers some area.
 /// Cost:    one division to make.
 struct l3d_picture_plane {
-    double x0, y0, at_first; ///< the first corner, near which rounding is least, and 1/w there
+    /// The first corner, near which rounding is least, and the corner's 1/w.
+    double x0, y0, at_first;
     double along_x, along_y;
 
     explicit l3d_picture_plane(const std::array<l3d_micro_vertex, 3>& v)

@@ -18,7 +18,7 @@
 
 namespace l3d_detail {
 
-/// Adds the planes of all cuts of a piece to `out`.
+/// Adds the cuts of a piece to `out`, each with the planes of both its triangles.
 inline void add_cuts(const l3d_painter_piece& piece,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_cut> cuts, std::vector<plane_cut>& out) {
@@ -32,8 +32,8 @@ inline std::array<scan_point, 3> places_of(const std::array<l3d_micro_vertex, 3>
 }
 
 /// Calls visit(row, start, columns) for the rows of a triangle, clipped to a picture's width and to
-/// cuts. Rows without columns are left out. It ends if visit returns false. `start` is the first
-/// column of the whole triangle in the row.
+/// cuts. Rows without columns are left out. The walk ends if visit returns false. `start` is the
+/// uncut triangle's first column in the row; it may be left of the picture.
 template <class Visit>
 void visit_rows(scan_polygon& scan, const std::array<l3d_micro_vertex, 3>& v,
                 std::span<const plane_cut> cuts, int width, const Visit& visit) {

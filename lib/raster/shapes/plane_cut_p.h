@@ -20,8 +20,8 @@ struct columns {
     std::int32_t begin, end;
 };
 
-/// A cut of a triangle along the line where its plane meets another one. It keeps the part in front
-/// of the other plane, or the part behind.
+/// A cut of a triangle along the line where its plane meets another triangle's plane. The cut keeps
+/// the part of the triangle in front of the other plane, or the part behind.
 struct plane_cut {
     l3d_picture_plane own, other;
     bool in_front;
@@ -30,9 +30,9 @@ struct plane_cut {
         return (own.at_pixel(column, row) >= other.at_pixel(column, row)) == in_front;
     }
 
-    /// The columns of a row that the cut keeps. The pieces on both sides of a cut end at the same
-    /// column: it depends only on the two planes and on the first column `start` of the whole
-    /// triangle's row.
+    /// The columns of `of`, in this row, that the cut keeps. `start` is the uncut triangle's first
+    /// column in the row; it may be left of the picture. Both pieces of a triangle end at the same
+    /// column, as this depends only on both planes and on `start`.
     columns kept(columns of, std::int32_t start, std::int32_t row) const {
         const double nearer = own.at_pixel(start, row) - other.at_pixel(start, row);
         const double step = (own.along_x - other.along_x) * l3d_subpixel_one;
@@ -47,8 +47,8 @@ struct plane_cut {
     }
 };
 
-/// The columns of a row that all cuts keep. `start` is the first column of the whole triangle's
-/// row.
+/// The columns of `span`, in this row, that all cuts keep. `start` is the uncut triangle's first
+/// column in the row; it may be left of the picture.
 inline columns kept_by(std::span<const plane_cut> cuts, columns span, std::int32_t start,
                        std::int32_t row) {
     for (const plane_cut& cut : cuts) {
@@ -62,8 +62,9 @@ inline columns kept_by(std::span<const plane_cut> cuts, columns span, std::int32
 /// A triangle of which cuts keep a part.
 struct cut_triangle {
     std::array<l3d_micro_vertex, 3> v;
-    std::uint32_t material = 0;                ///< its material, as in l3d_surface_part
-    std::size_t first_cut = 0, behind_cut = 0; ///< range of indices in a list of cuts
+    std::uint32_t material = 0; ///< the triangle's material, as in l3d_surface_part
+    /// The triangle's cuts, as a range of indices in a list of cuts.
+    std::size_t first_cut = 0, behind_cut = 0;
 };
 
 } // namespace l3d_detail

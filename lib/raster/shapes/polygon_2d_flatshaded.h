@@ -17,7 +17,8 @@
 /// Lives:   a value; copies are deep, and of the same type.
 class L3D_PUBLIC l3d_polygon_2d_flatshaded : public l3d_polygon_2d {
 public:
-    /// Makes a polygon of one colour, a pixel word. Its corners are places in a list of vertices.
+    /// Makes a polygon of one colour, a pixel word. Its corners are indices in the list of vertices
+    /// that draw() gets.
     l3d_polygon_2d_flatshaded(std::vector<std::uint32_t> ivertices, l3d_color color)
         : l3d_polygon_2d(std::move(ivertices)), final_color(color) {}
 
@@ -32,10 +33,11 @@ public:
         rasterizer.draw_polygon_flatshaded(corners_, final_color);
     }
 
-    l3d_color final_color; ///< a pixel word
+    l3d_color final_color; ///< the polygon's colour, a pixel word
 
 private:
-    std::vector<l3d_point_2d> corners_; ///< kept between calls, so that no frame allocates
+    /// Memory for draw(), kept between calls so that no frame allocates.
+    std::vector<l3d_point_2d> corners_;
 };
 
 #endif

@@ -12,8 +12,9 @@
 
 namespace l3d_detail {
 
-/// The lattice point of a position, half a pixel further than in l3d_rasterizer_2d, as pixel (x, y)
-/// is sampled at (x + 1/2, y + 1/2) here. Coordinates beyond far_limit are clamped to it.
+/// The point of the lattice of 1/256 pixel that is nearest to a position. It lies half a pixel
+/// further right and down, as pixel (x, y) is sampled at (x + 1/2, y + 1/2) on the lattice, but at
+/// (x, y) in l3d_rasterizer_2d. Coordinates beyond far_limit are clamped to it.
 /// Expects: coordinates that are numbers.
 far_point lattice_point(l3d_point_2d position);
 
@@ -32,8 +33,8 @@ public:
     /// Whether the corners go round clockwise, as seen on the screen with y down.
     bool clockwise() const { return clockwise_; }
 
-    /// Whether near() has the corners. It does if all are within scan_limit, where scanning is
-    /// fastest.
+    /// Whether near() gives the corners. It does if all corners are within scan_limit, where
+    /// scanning is fastest.
     bool all_near() const { return all_near_; }
     std::span<const scan_point> near() const { return near_; }
     std::span<const far_point> far() const { return far_; }

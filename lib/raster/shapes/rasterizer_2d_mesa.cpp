@@ -31,7 +31,8 @@ const mesa_target::program_text flat_colors{.vertex = R"(#version 120
                                             .attributes = {"position", "color"}};
 static_assert(mesa_target::reach == 8192);
 
-/// Vertices that are gathered before GL gets them: 12 bytes each, 400 kB.
+/// The number of vertices that are gathered before GL gets them. Each has 12 bytes, so a batch has
+/// up to 590 kB.
 constexpr std::size_t full_batch = std::size_t{3} << 14;
 
 } // namespace
@@ -86,7 +87,8 @@ void l3d_rasterizer_2d_mesa_imp::flush() {
     batch_.clear();
 }
 
-/// Sets how GL mixes colours. The word's highest byte, which is GL's alpha, stays as it was.
+/// Sets how GL mixes colours. The highest byte of a pixel word, which is GL's alpha, stays as it
+/// was.
 void l3d_rasterizer_2d_mesa_imp::set_blending(blending wanted) {
     if (wanted == blending_)
         return;

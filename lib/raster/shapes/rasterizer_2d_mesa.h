@@ -11,17 +11,18 @@
 
 /// Draws the same pixels as l3d_rasterizer_2d_sw_imp, through GL.
 ///
-/// All shapes become triangles on the lattice of 1/256 pixel, which GL fills by the same rule.
+/// All shapes become triangles on the lattice of 1/256 pixel, which GL fills by the same fill rule.
 /// Points, the straight runs of a line and the spans of outlines are drawn as rectangles. GL's own
 /// lines and polygons do not serve: its lines leave open which of two equally near pixels is lit,
 /// and its polygons must be convex.
 ///
-/// Words are the same, too, except where GL computes colours: in Gouraud-shaded polygons, smooth
-/// lines and coverage. There red, green and blue may differ by 1. The CPU draws shapes that GL
-/// cannot draw exactly. These include polygons that reach further than 8191 pixels from the middle
-/// of the picture, and pictures larger than GL's largest.
-/// Cost:    drawing only gathers triangles. The picture goes to GL with the first batch after
-///          finish, set_target, or a shape that the CPU draws; it comes back in finish.
+/// Pixel words are the same, too, except where GL computes colours: in Gouraud-shaded polygons,
+/// smooth lines and coverage. In these, red, green and blue may differ by 1. The CPU draws shapes
+/// that GL cannot draw exactly. These include polygons that reach further than 8191 pixels from the
+/// middle of the picture, and pictures larger than GL's largest.
+/// Cost:    drawing only gathers triangles. The target's picture is copied to GL before the first
+///          batch after finish, set_target, or a shape that the CPU draws. The picture is copied
+///          back in finish.
 class l3d_rasterizer_2d_mesa_imp final : public l3d_rasterizer_2d_imp {
 public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
@@ -47,9 +48,11 @@ private:
 
     struct vertex {
         float x, y;
-        std::array<std::uint8_t, 4> color; ///< red, green, blue; highest byte or coverage
+        /// The vertex's red, green and blue, and the word's highest byte or the coverage.
+        std::array<std::uint8_t, 4> color;
     };
-    /// The state of the picture in GL, compared with the target: absent, black, or newer.
+    /// The state of the picture in GL, compared with the target's: GL has no picture, a black one,
+    /// or a newer one.
     enum class held { not_at_all, as_black, newer_than_target };
     /// The meaning of the highest byte of colours in the batch: the word's own byte, or coverage.
     enum class blending { off, by_coverage };

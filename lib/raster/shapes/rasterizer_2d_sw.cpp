@@ -113,7 +113,7 @@ void l3d_rasterizer_2d_sw_imp::do_draw_coverage(const l3d_coverage_2d& shape, st
     });
 }
 
-/// Calls paint(x, y, word, share of 255) for each pixel of a run, and stores the word that it
+/// Calls paint(x, y, word, share of 255) for each pixel of a run, and stores the word that paint
 /// returns.
 template <class Paint>
 void l3d_rasterizer_2d_sw_imp::paint_run(const covered_run& run, const Paint& paint) const {

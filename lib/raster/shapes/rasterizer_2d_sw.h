@@ -13,7 +13,7 @@
 #include <array>
 #include <vector>
 
-/// Draws by the CPU into pixel words in memory, whichever screen they belong to.
+/// Draws by the CPU into pixel words in memory, whichever screen the words belong to.
 ///
 /// Cost: allocates when the target is higher, or a polygon has more corners, than any before.
 class l3d_rasterizer_2d_sw_imp : public l3d_rasterizer_2d_imp {
@@ -42,7 +42,7 @@ private:
     template <class Point> void fill_convex(std::span<const Point> corners, std::uint32_t color);
 
     l3d_pixels target_;
-    std::array<double, 2> ends_{}; ///< the limits of x and y for fill_small_triangle
+    std::array<double, 2> ends_{}; ///< the argument `ends` of fill_small_triangle
     l3d_detail::polygon_corners corners_;
     l3d_detail::scan_polygon scan_;
     l3d_detail::shaded_triangle triangle_;

@@ -31,8 +31,8 @@ inline constexpr std::int64_t far_limit = std::int64_t{1} << 38;
 /// In each row it gives the first column whose centre is on the edge or right of it. This column
 /// depends only on the two end points, so two polygons that share the edge divide the row without
 /// gap and without overlap.
-/// Expects: upper.y < lower.y. The row's centre lies on the edge, or for line() alone, the row is
-///          in the picture.
+/// Expects: upper.y < lower.y. The row's centre lies between the edge's ends; for line() alone, any
+///          row in the picture will do.
 /// Cost:    one division for each edge; one addition and one product for each row.
 ///
 /// The column is exact, though computed in double. With D = 256 dy it is ceil(n / D) = floor(m /
@@ -90,8 +90,8 @@ public:
                static_cast<double>(steps_.denominator());
     }
 
-    /// The distance from the sample on the edge's left to the edge. It is 1 - beyond(), without
-    /// loss of digits.
+    /// The distance from the sample on the edge's left to the edge: 1 - beyond(), without loss of
+    /// digits.
     double short_of() const {
         return static_cast<double>(steps_.rest() + 1) / static_cast<double>(steps_.denominator());
     }

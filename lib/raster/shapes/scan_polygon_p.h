@@ -18,19 +18,20 @@ struct scan_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
-/// The first column of a span, and the column after its last; empty if the first is not less.
+/// The first column of a span, and the column after its last. The span is empty if the first number
+/// is not less than the second.
 using scan_ends = std::array<std::int32_t, 2>;
 
 /// Converts convex polygons to spans. A pixel belongs to a polygon if its centre is inside, or on a
 /// left or top edge.
 ///
 /// A row is covered if its centre lies in [highest, lowest corner). A pixel of the row is covered
-/// if its centre lies in [left, right edge). Both ends are exact.
+/// if its centre lies in [left, right edge). Both ends of the row's span are exact.
 /// Lives: the spans of one polygon stay until the next convert.
 class scan_polygon {
 public:
     /// Sets the rows in which spans are found.
-    /// Cost: allocates only when there are more than before.
+    /// Cost: allocates only when there are more rows than before.
     void set_rows(scan_rows kept) {
         kept_ = kept;
         const auto count = static_cast<std::size_t>(std::max(kept.bottom - kept.top, 0));
@@ -42,8 +43,8 @@ public:
     ///
     /// Shape:   at least three corners, in order, scan_points or far_points; `clockwise` as seen on
     ///          the screen (the area with y down is positive).
-    /// Expects: convex. If it is not, some pixels are wrong, but no row is undefined: a closed
-    ///          outline crosses every row downwards as often as upwards.
+    /// Expects: convex. If the polygon is not convex, some pixels are wrong, but no row is
+    ///          undefined: a closed outline crosses every row downwards as often as upwards.
     template <class Point, std::size_t Extent>
     scan_rows convert(std::span<const Point, Extent> corners, bool clockwise) {
         scan_rows rows{kept_.bottom, kept_.top};
@@ -57,8 +58,8 @@ public:
         return rows;
     }
 
-    /// The first column of a row, and the column after its last. They are not clipped; first may be
-    /// >= last.
+    /// The first column of a row's span; last() is the column after the span's last. Both are not
+    /// clipped; first may be >= last.
     std::int32_t first(std::int32_t row) const { return span_of(row)[left]; }
     std::int32_t last(std::int32_t row) const { return span_of(row)[right]; }
 

@@ -8,8 +8,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// The leftmost column that may be a span's anchor. Floats hold whole numbers exactly up to 2^24,
-/// and pictures are at most 2^23 wide.
+/// The leftmost column that may be a span's anchor (shaded_span). Floats hold whole numbers exactly
+/// up to 2^24, and pictures are at most 2^23 wide.
 constexpr std::int32_t farthest_anchor = -(1 << 23);
 
 std::array<double, 3> between(const std::array<double, 3>& from, const std::array<double, 3>& to,

@@ -14,7 +14,7 @@
 
 namespace l3d_detail {
 
-/// A corner, and its red, green and blue from 0 to 255.
+/// A corner of a triangle on the lattice, and its red, green and blue from 0 to 255.
 struct shaded_corner {
     far_point at;
     std::array<double, 3> color;
@@ -44,8 +44,8 @@ public:
                                          l3d_size size);
 
 private:
-    /// The left or right end of a row. `distance` is the distance of the edge from the nearest
-    /// sample inside.
+    /// The left or right end of the triangle in a row. `distance` is the distance of the edge from
+    /// the nearest sample inside.
     struct end {
         std::int32_t column = 0;
         double distance = 0;

@@ -39,8 +39,8 @@ struct small_box {
 };
 
 /// An edge function: its value at the first sample of the box, and its increments to the right and
-/// downwards. A sample is inside if the value there is at least 0. It is -1 for samples on an edge
-/// that is neither left nor top.
+/// downwards. A sample is inside of the edge if its value is at least 0. On an edge that is neither
+/// left nor top, a sample's value is -1.
 struct small_edge {
     std::int32_t first, per_column, per_row;
 };
@@ -64,7 +64,8 @@ template <class Lanes> struct edge_lanes {
 };
 
 /// Fills the part of a box on the inner side of three edges. `colors` gives the words: after
-/// begin_block(column), each call of next_row() gives those of the next row from this column on.
+/// begin_block(column), each call of next_row() gives the words of the next row from this column
+/// on.
 /// Expects: the box lies in the picture.
 template <class Lanes, class Colors>
 HWY_INLINE void fill_box(const l3d_pixels& target, const small_box& box,

@@ -20,7 +20,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The words of a triangle that has a single colour.
+/// The pixel words of a triangle that has a single colour, for fill_box.
 template <class Lanes> struct one_color {
     std::uint32_t color;
 
@@ -33,7 +33,7 @@ HWY_INLINE std::int32_t units(double position) {
     return static_cast<std::int32_t>(std::lrint(position * l3d_subpixel_one));
 }
 
-/// The range of three coordinates, in pixels.
+/// The range of the three corners' coordinates along one axis, in pixels.
 struct bounds {
     double low, high;
 

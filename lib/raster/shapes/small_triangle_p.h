@@ -12,13 +12,14 @@
 
 namespace l3d_detail {
 
-/// The limit of a side of triangles that fill_small_triangle takes, in pixels: 2^13 lattice units.
-/// Products of two differences, and sums of such products, stay below 2^28.
+/// The limit of the width and the height of triangles that fill_small_triangle takes, in pixels. In
+/// lattice units it is 2^13. Products of two differences, and sums of such products, stay below
+/// 2^28.
 inline constexpr int small_side = 32;
 
 /// Fills a small triangle by its three edge functions, at all pixels of its box, which costs less
-/// than finding spans. Returns false, and draws nothing, if it is not small or not wholly in the
-/// picture.
+/// than finding spans. Returns false, and draws nothing, if the triangle is not small or not wholly
+/// in the picture.
 /// Shape:   three corners of any winding; coordinates may be NaN.
 /// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
 bool fill_small_triangle(const l3d_pixels& target, std::span<const l3d_point_2d, 3> corners,

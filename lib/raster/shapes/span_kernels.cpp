@@ -41,7 +41,8 @@ HWY_INLINE void fill_short_span(std::uint32_t* at, std::size_t count, std::uint3
     }
 }
 
-/// Fills a span by vectors. The last one ends with the span and may overlap the one before it.
+/// Fills a span by vectors. The last vector ends with the span and may overlap the vector before
+/// it.
 /// Expects: count >= 1.
 HWY_INLINE void fill_span(std::uint32_t* at, std::size_t count, std::uint32_t color) {
     constexpr std::size_t lanes = hn::MaxLanes(words);
@@ -81,7 +82,7 @@ void fill_spans_in_lanes(const l3d_pixels& target, std::span<const pixel_span> s
 
 /// Moves words towards a colour by shares of 255, and rounds each channel to the nearest level. Two
 /// channels share a lane, 16 bits each, and sums stay below 2^16. Up to t = 255^2, t / 255 to the
-/// nearest is (u + u / 256) / 256 with u = t + 128, rounded down each time.
+/// nearest is (u + u / 256) / 256 with u = t + 128, where each quotient is rounded down.
 /// Expects: the highest eight bits of words and of the colour are 0.
 template <class D>
 HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::Vec<D> share) {
@@ -97,7 +98,8 @@ HWY_INLINE hn::Vec<D> blended_lanes(D d, hn::Vec<D> word, hn::Vec<D> color, hn::
     return hn::Or(hn::And(hn::ShiftRight<8>(even), low), hn::AndNot(low, odd));
 }
 
-/// Blends a vector of words. Does nothing and returns false if one of them may be transparent.
+/// Blends a vector of words. Does nothing and returns false if one of these words may be
+/// transparent.
 template <class D, class Shares>
 HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const Shares& shares,
                              std::size_t i) {
@@ -108,7 +110,7 @@ HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const 
     return true;
 }
 
-/// Blends words from i on one by one, as one of them may be transparent.
+/// Blends words from i on one by one, as one of these words may be transparent.
 template <class Shares>
 HWY_NOINLINE void cover_each(std::uint32_t* at, std::size_t count, std::uint32_t color,
                              const Shares& shares, std::size_t i) {
@@ -117,7 +119,7 @@ HWY_NOINLINE void cover_each(std::uint32_t* at, std::size_t count, std::uint32_t
             at[i] = blended_over_gap(at[i], color, shares.one(i));
 }
 
-/// Blends words side by side.
+/// Blends neighbouring words with a colour, by their shares.
 template <class Shares>
 HWY_INLINE void cover_run(std::uint32_t* at, std::size_t count, std::uint32_t color,
                           const Shares& shares) {
@@ -178,7 +180,8 @@ HWY_INLINE bool cover_ends(std::uint32_t* first, std::uint32_t* second, const st
     return true;
 }
 #else
-/// Returns false: both groups of four columns do not fit into a vector.
+/// Does nothing and returns false, as both groups of four columns do not fit into a vector of this
+/// instruction set.
 bool cover_ends(std::uint32_t*, std::uint32_t*, const std::uint8_t*, std::uint32_t) {
     return false;
 }
@@ -221,7 +224,8 @@ void cover_spans_in_lanes(const l3d_pixels& target, std::span<const covered_span
     }
 }
 
-/// A channel of neighbouring columns. It needs no clamping, as rounding brings it into [0, 255].
+/// The values of one colour channel in neighbouring columns. The values need no clamping, as
+/// rounding brings them into [0, 255].
 HWY_INLINE word_lanes channel_at(const shaded_span& span, std::size_t channel,
                                  hn::Vec<decltype(floats)> i) {
     const auto value = hn::Add(hn::Set(floats, span.start[channel]),

@@ -13,7 +13,7 @@
 namespace l3d_detail {
 
 /// Calls visit(x, y, values) for each row of a shape that reaches a picture of this size. (x, y) is
-/// the row's first pixel in the picture, and `values` is the coverage from there on.
+/// the row's first pixel in the picture, and `values` is the coverage from this pixel on.
 template <class Visit>
 void visit_coverage(const l3d_coverage_2d& shape, l3d_size size, const Visit& visit) {
     // A shape may begin anywhere: its end may be beyond the largest int.

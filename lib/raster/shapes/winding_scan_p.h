@@ -18,8 +18,8 @@ struct pixel_span {
     std::int32_t row, first, last;
 };
 
-/// Finds the spans inside of outlines. It walks down the rows with the edges that cross them, in
-/// the order of their columns.
+/// Finds the spans inside of outlines. It walks down the rows, and keeps the edges that cross a row
+/// in the order of their columns.
 ///
 /// Each edge counts for the pixels from its column on. So inside and outside are exact for every
 /// pixel, however close edges cross.
@@ -36,7 +36,7 @@ public:
 private:
     struct edge {
         std::int32_t top, bottom; ///< the edge crosses rows top <= row < bottom
-        /// 1 if it leads upwards: it winds clockwise around places on its right; else -1.
+        /// 1 if the edge leads upwards, and so winds clockwise around places on its right; else -1.
         int direction;
         exact_edge columns;
     };

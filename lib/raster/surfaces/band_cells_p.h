@@ -23,7 +23,7 @@ inline grid_cells all_cells(const l3d_micro_grid& grid) {
     return {0, grid.rows - 1, 0, grid.columns - 1};
 }
 
-/// The number of quads and triangles of a part.
+/// The number of quads and triangles of a part, without quads that triangles replace.
 inline std::int64_t polygons(const l3d_surface_part& part) {
     const grid_cells cells = all_cells(part.grid);
     return std::int64_t{cells.row_end} * cells.column_end +
@@ -31,12 +31,13 @@ inline std::int64_t polygons(const l3d_surface_part& part) {
            static_cast<std::int64_t>(part.grid.cut.size());
 }
 
-/// The pixel rows that a row of quads may cover; none if top >= bottom.
+/// The pixel rows [top, bottom) that a row of quads may cover; none if top >= bottom.
 struct band_rows {
     std::int32_t top = 0, bottom = 0;
 };
 
-/// The box of some polygons, and an upper bound of inv_w in their pixels.
+/// The box of some quads or triangles, and an upper bound of inv_w in their pixels. These bounds
+/// tell whether the polygons are hidden.
 struct polygon_bounds {
     l3d_subpixel_box box;
     float nearest = 0;

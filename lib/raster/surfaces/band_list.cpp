@@ -40,8 +40,8 @@ unsigned bits_of(block_range rows, block_range columns) {
 /// Calls visit(cells) for every item's part of a grid. A grid of fewer than 32 x 32 quads is one
 /// item, since blocks of its rows would leave lanes idle. In other grids, an item is a block, or up
 /// to 2 x 2 blocks while these have fewer than 128 quads. The fill kernel leaves out hidden quads
-/// one by one; items only make that cheaper. Blocks that nobody sees are left out, and their
-/// neighbours are then items of their own.
+/// one by one; testing items first only makes this cheaper. Blocks that nobody sees are left out,
+/// and their neighbours are then items of their own.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
     constexpr int few = 128, few_in_all = 32 * 32;
     const l3d_block_starts &rows = part.block_rows, &columns = part.block_columns;
@@ -92,8 +92,8 @@ void band_list::make(std::span<const l3d_surface_part* const> parts, const frame
     share_out(of);
 }
 
-/// Gives every part its place among the items, so that threads can make them in any order. A vertex
-/// in the middle of a grid stands for the part's height.
+/// Gives every part its place among the items, so that threads can make the items in any order. A
+/// vertex in the middle of a grid stands for the part's height.
 void band_list::lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels) {
     places_.clear();
     by_height_.clear();
@@ -148,8 +148,8 @@ void band_list::list_part(const l3d_surface_part& part, place at, const frame& o
 /// Orders the items that are in the window, nearest first.
 ///
 /// Positive floats are ordered like their bits. Two passes by 8 bits sort by the 8 bits of the
-/// exponent and 8 of the mantissa. Each pass keeps the order of equals, so equally near items stay
-/// in the order of the parts.
+/// exponent and 8 of the mantissa. Each pass keeps the order of items with equal bits, so equally
+/// near items stay in the order of the parts.
 void band_list::sort() {
     order_.clear();
     for (std::uint32_t i = 0; i < items_.size(); ++i)

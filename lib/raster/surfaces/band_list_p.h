@@ -17,32 +17,37 @@
 
 namespace l3d_detail {
 
-/// An item: some blocks of a part's grid, or some of its triangles. It is tested for being hidden,
-/// and filled, as a whole.
+/// An item: some blocks of a part's grid, or some of its triangles, which are tested for being
+/// hidden, and filled, together.
 struct band_item {
     const l3d_surface_part* part = nullptr;
-    l3d_pixel_box box{}; ///< the pixels of the window that it may cover
-    float nearest = 0;   ///< upper bound of inv_w in its pixels
-    float order = 0;     ///< items with larger numbers are drawn first
+    l3d_pixel_box box{}; ///< the pixels of the window that the item may cover
+    float nearest = 0;   ///< upper bound of inv_w in the item's pixels
+    float order = 0;     ///< the key of sorting: items with larger numbers are drawn first
     grid_cells cells{};
-    std::uint32_t triangle_begin = 0, triangle_end = 0; ///< range of the part's triangles
-    std::uint32_t rows_at = 0;   ///< index in the list of the pixel rows of its cells
-    std::uint32_t levels_at = 0; ///< index in the list of its vertices' grey levels
+    /// The range of the part's triangles that belong to the item.
+    std::uint32_t triangle_begin = 0, triangle_end = 0;
+    /// Index of the first of its cells' pixel rows, in the list of all items' rows.
+    std::uint32_t rows_at = 0;
+    /// Index of the first of its part's vertices, in the list of grey levels.
+    std::uint32_t levels_at = 0;
 };
 
 /// The items of a frame, sorted front to back, and the bands that they touch.
 ///
 /// Items are sorted by their nearest vertices, rounded to one part in 2^8, then by their places in
-/// the list of parts. A part's triangles are sorted as its grid is, if pixels show what is at their
-/// centres: triangles without a centre may be left out, so an order of their own would depend on
-/// that. The order depends neither on the bands nor on the number of workers.
+/// the list of parts. If pixels show what is at their centres, a part's triangles take their grid's
+/// place in this order. Such frames may leave out triangles that contain no centre. So an order of
+/// the triangles' own would depend on which ones are left out. So the order depends neither on the
+/// bands nor on the number of workers.
 /// Lives: borrows the parts. Keeps its memory from frame to frame.
 class band_list {
 public:
     /// The number of triangles in an item: as many as are set up together in lanes.
     static constexpr std::uint32_t triangles_in_item = l3d_micro_triangles::lanes;
 
-    /// The drawn part of the picture, and the rule by which polygons touch pixels.
+    /// The settings of a frame: the drawn part of the picture, and the rule by which polygons touch
+    /// pixels.
     struct frame {
         l3d_pixel_box window;
         int rows = 1; ///< number of rows in a band, at least 1
@@ -81,7 +86,7 @@ public:
 
 private:
     struct place {
-        /// Indices at which a part's items, rows and levels begin.
+        /// Indices at which a part's items, pixel rows and grey levels begin in the lists.
         std::uint32_t items, rows, levels;
     };
 
@@ -92,7 +97,7 @@ private:
     void share_out(const frame& of);
 
     std::vector<place> places_;
-    height_order by_height_; ///< the order of the parts
+    height_order by_height_; ///< the order of the parts from top to bottom
     std::vector<band_item> items_;
     std::vector<band_rows> rows_;
     std::vector<float> levels_; ///< grey levels of each part, laid out as its grid's arrays

@@ -23,8 +23,8 @@ void band_painter::reserve_as(const band_painter& other) {
     queue_.pieces.reserve(other.queue_.pieces.capacity());
 }
 
-/// Draws items. An item waits for some turns after its memory is prefetched. It is tested again
-/// before it is drawn, as others may hide it by then.
+/// An item waits for some turns after its memory is prefetched. The item is tested again before it
+/// is drawn, as other items may hide it by then.
 void band_painter::draw(const band_frame& frame, const fill_band& band, const band_list& list,
                         std::span<const std::uint32_t> items, coarse_depth& coarse) {
     scalar_.begin(band, frame.shading, frame.materials, frame.words);
@@ -105,7 +105,7 @@ void band_painter::draw_triangles(const band_frame& frame, const fill_band& band
         scalar_.fill(*item.part, item.triangle_begin, item.triangle_end);
 }
 
-/// Draws an item's quads in the band. Rows of quads above or below it are left out.
+/// Draws an item's quads in the band. Rows of quads above or below the band are left out.
 void band_painter::draw_cells(const band_frame& frame, const fill_band& band, const band_list& list,
                               const band_item& item) {
     const band_rows* const rows = list.rows(item) - item.cells.row_begin;

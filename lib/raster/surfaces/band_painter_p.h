@@ -16,24 +16,27 @@ namespace l3d_detail {
 /// The data that all bands of a frame share.
 struct band_frame {
     l3d_shading shading;
-    bool by_lanes = false;         ///< whether mode and width allow the fill kernel
-    bool leaves_out_hidden = true; ///< whether items behind the coarse depth are left out
+    /// Whether the shading's mode and the picture's width allow the fill kernel.
+    bool by_lanes = false;
+    bool leaves_out_hidden = true; ///< whether items that coarse_depth finds hidden are left out
     fill_words words{};
     std::span<const l3d_material> materials{};
 };
 
 /// Draws the bands of one worker, with the worker's own memory and counts.
 ///
-/// Shape: begins at a cache line, so that workers do not share one.
+/// Shape: begins at a cache line, so that no two workers share a line.
 class alignas(64) band_painter {
 public:
     /// Makes room so that drawing bands of this many rows allocates nothing.
     void reserve(int rows) { scalar_.reserve(rows); }
 
-    /// Makes as much room as another worker needed, since workers get bands by chance.
+    /// Makes as much room as another worker's painter needed, since chance decides which worker
+    /// gets which band.
     void reserve_as(const band_painter& other);
 
-    /// Draws the items into the band in this order, and notes them in the coarse depth.
+    /// Draws items, given by their indices in the list, into the band in this order. Notes in
+    /// `coarse` which tiles were drawn into.
     void draw(const band_frame& frame, const fill_band& band, const band_list& list,
               std::span<const std::uint32_t> items, coarse_depth& coarse);
 
@@ -42,13 +45,13 @@ public:
               std::span<const cut_triangle> triangles, std::span<const plane_cut> cuts,
               coarse_depth& coarse);
 
-    /// The counts since the last call.
+    /// The counts of all drawing since the last call of this function.
     fill_counts take_counts();
 
 private:
     /// Distances of prefetching, in items. An item's triangles are prefetched `items_waiting` items
-    /// before it is drawn. That is some thousand cycles, more than memory takes. The item itself is
-    /// prefetched earlier.
+    /// before it is drawn. Drawing these items takes some thousand cycles, and loading from memory
+    /// takes fewer. The item itself is prefetched `items_ahead` items before.
     static constexpr std::size_t items_waiting = 2, items_ahead = 8;
 
     static bool is_hidden(const band_frame& frame, const fill_band& band, const band_item& item,

@@ -12,7 +12,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// Whether no pixel centre of [begin, end) lies between the least and the greatest of four numbers.
+/// Whether no centre of the pixels [begin, end) lies between the least and the greatest of four
+/// numbers.
 bool misses(std::int32_t a, std::int32_t b, std::int32_t c, std::int32_t d, std::int32_t begin,
             std::int32_t end) {
     const std::int32_t least = std::min(std::min(a, b), std::min(c, d));

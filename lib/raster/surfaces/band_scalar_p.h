@@ -13,14 +13,13 @@
 
 namespace l3d_detail {
 
-/// Fills polygons without the fill kernel, as its slow twin, for all shaders and all polygons.
-/// Polygons that the kernel leaves are filled by rows in lanes, with the same bits as pixel by
-/// pixel.
+/// Fills the polygons of a band with any shader, as the slow twin of the fill kernel. Polygons that
+/// the kernel does not take are filled by rows in lanes, with the same bits as pixel by pixel.
 ///
-/// Planes of a quad's numbers go through the mean of its corners, parallel to the differences along
-/// both diagonals. So no diagonal shows. Quads far from a parallelogram are filled as two
-/// triangles.
-/// Lives: borrows band, shading and materials.
+/// The planes of a quad's numbers have the corners' mean in its middle, and the corners'
+/// differences along both diagonals. So no diagonal shows. Quads far from a parallelogram are
+/// filled as two triangles.
+/// Lives: borrows the band, the shading and the materials of begin().
 /// Cost:  allocates only when a band is higher than any before.
 class band_scalar {
 public:
@@ -36,7 +35,8 @@ public:
     /// Fills triangles [first, last) of a part.
     void fill(const l3d_surface_part& part, std::size_t first, std::size_t last);
 
-    /// Fills the polygons that the kernel left. Expects: a band of at least fill_least_width.
+    /// Fills the polygons that the fill kernel did not take. Expects: a band of at least
+    /// fill_least_width.
     void fill(const fill_rest& rest);
 
     /// Fills the part of a triangle that cuts leave.

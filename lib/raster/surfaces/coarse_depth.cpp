@@ -15,7 +15,7 @@
 #define L3D_RASTER_COARSE_DEPTH_ONCE
 namespace l3d_detail {
 
-/// The tiles that pixels lie in.
+/// The box of tiles in which a box of pixels lies.
 inline l3d_pixel_box tiles_of(const l3d_pixel_box& pixels) {
     constexpr auto width = depth_tile::width, height = depth_tile::height;
     return {pixels.left / width, pixels.top / height, (pixels.right + width - 1) / width,
@@ -26,10 +26,11 @@ inline l3d_pixel_box tiles_of(const fill_band& band) {
     return tiles_of(l3d_pixel_box{0, band.top, band.width, band.bottom});
 }
 
-/// The pixels of some tiles side by side. Tiles at the right and lower borders of the picture are
-/// smaller.
+/// The pixels of some tiles side by side, as places in a band. Tiles at the right and lower borders
+/// of the picture are smaller.
 struct tile_pixels {
-    std::ptrdiff_t words_at, depths_at; ///< places of the first pixel in the band's arrays
+    /// Indices of the top left pixel of these tiles, in band.words and band.depths.
+    std::ptrdiff_t words_at, depths_at;
     std::int32_t width, height;
 
     tile_pixels(std::int32_t begin, std::int32_t end, std::int32_t row, const fill_band& band) {
@@ -42,7 +43,7 @@ struct tile_pixels {
 };
 
 /// Calls visit(word, bits) for all words of a bit table's row that hold bits [begin, end), until a
-/// call returns false. Returns whether none did.
+/// call returns false. Returns whether no call returned false.
 template <class Visit> bool visit_bits(std::int32_t begin, std::int32_t end, const Visit& visit) {
     constexpr std::int32_t bits = 64;
     for (std::int32_t word = begin / bits; word * bits < end; ++word) {
@@ -81,7 +82,7 @@ std::int32_t lanes() {
     return static_cast<std::int32_t>(hn::Lanes(floats));
 }
 
-/// Sets the depths of tiles to 0.
+/// Sets the depths in the tiles `p` to 0.
 void clear(const tile_pixels& p, const fill_band& band) {
     float* to = band.depths + p.depths_at;
     if (p.width == depth_tile::width) // the usual case, for which no memset is called
@@ -110,7 +111,7 @@ void open(tile_table& table, const l3d_pixel_box& box, const fill_band& band) {
 }
 
 /// Calls visit(pixels) for every run of tiles side by side that have been drawn to. If `drawn` is
-/// false, it takes those that have not.
+/// false, it takes the tiles that have not.
 template <class Visit>
 void visit_runs(const tile_table& table, const fill_band& band, bool drawn, const Visit& visit) {
     const l3d_pixel_box tiles = tiles_of(band);
@@ -162,7 +163,8 @@ std::int64_t covered(const tile_table& table, const fill_band& band) {
     return rest + static_cast<std::int64_t>(hn::GetLane(hn::SumOfLanes(bits, in_lanes)));
 }
 
-/// A tile's farthest depth. If that is below `limit`, any depth below `limit` is enough.
+/// The farthest depth in a tile. If this is below `limit`, the result may be any depth of the tile
+/// below `limit`.
 float find(std::int32_t column, std::int32_t row, const fill_band& band, float limit) {
     const tile_pixels p(column, column + 1, row, band);
     const float* depths = band.depths + p.depths_at;

@@ -19,20 +19,20 @@ struct depth_tile {
     static constexpr std::int32_t width = 16, height = 8;
 };
 
-/// A table of facts about a picture's tiles.
+/// A table of the depths of a picture's tiles, and of which tiles were drawn into.
 /// Shape: rows of `columns` numbers, and rows of `words` with a bit for each tile.
 struct tile_table {
     std::size_t columns = 0, words = 0;
-    std::vector<float> farthest; ///< lower bound of inv_w in each tile's pixels
-    /// Whether anything was drawn into the tile; if not, its depths are undefined.
+    std::vector<float> farthest; ///< for each tile, a lower bound of inv_w in its pixels
+    /// For each tile, whether anything was drawn into it; if not, its depths are undefined.
     std::vector<std::uint64_t> drawn;
-    /// Whether anything was drawn into the tile since `farthest` was found.
+    /// For each tile, whether anything was drawn into it since `farthest` was found.
     std::vector<std::uint64_t> newer;
 };
 
-/// Keeps a bound of the depths in each tile of a picture. It tells which shapes are hidden, and
-/// which tiles have undefined depths. A tile's depths are set to 0 only when something is drawn
-/// there, as they are needed in the nearest cache then.
+/// Keeps a bound of the depths in each tile of a picture. The bounds tell which shapes are hidden,
+/// and which tiles have undefined depths. A tile's depths are set to 0 only when something is drawn
+/// into it, as drawing needs these depths in the nearest cache anyway.
 ///
 /// Depths only become nearer in a frame, so the farthest depth that was found for a tile stays a
 /// bound.
@@ -42,17 +42,20 @@ class coarse_depth {
 public:
     void resize(l3d_size size);
 
-    /// Fills the tiles into which something was drawn with the background.
+    /// Writes the background of a picture of this height into those tiles of the band into which
+    /// something was drawn.
     void clear_words(const fill_band& band, const l3d_background& background,
                      std::int32_t height) const;
 
-    /// Forgets all drawing in rows [top, bottom), whatever their depths are.
+    /// Marks all tiles in rows [top, bottom) as not drawn into, whatever the depths in these rows
+    /// are.
     void forget(std::int32_t top, std::int32_t bottom);
 
-    /// Prepares a box for drawing: sets the depths of its tiles to 0, unless this was done before.
+    /// Prepares a box for drawing: sets the depths to 0 in those of its tiles into which nothing
+    /// was drawn yet.
     void open(const l3d_pixel_box& box, const fill_band& band);
 
-    /// Prepares all depths of a band for reading: sets those of tiles without drawing to 0.
+    /// Prepares all depths of a band for reading: sets the depths of tiles without drawing to 0.
     void open_others(const fill_band& band);
 
     /// Whether known depths hide every shape in the box that is no nearer than `nearest`, a 1 / w.
@@ -60,7 +63,8 @@ public:
     /// Cost:    for a tile whose depths are read, one to eight cache lines.
     bool hidden(const l3d_pixel_box& box, float nearest, const fill_band& band);
 
-    /// Whether the bounds of tiles alone prove that every such shape is hidden. No depth is read.
+    /// Whether the bounds of tiles alone prove that every shape in the box is hidden that is no
+    /// nearer than `nearest`, a 1 / w. No depth is read.
     bool hidden(const l3d_pixel_box& box, float nearest) const;
 
     /// Finds the farthest depth of each tile of the band into which something was drawn.
@@ -90,7 +94,7 @@ public:
             }
     }
 
-    /// The number of covered pixels in the band.
+    /// The number of pixels in the band whose depth is not 0.
     std::int64_t covered(const fill_band& band) const;
 
 private:

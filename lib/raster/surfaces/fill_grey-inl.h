@@ -19,14 +19,16 @@ namespace {
 /// queue.
 class grey_lanes {
 public:
-    static constexpr std::size_t numbers = 1; ///< numbers of each corner in the queue
+    /// The number of inputs of light that each corner has in the queue.
+    static constexpr std::size_t numbers = 1;
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         for (int i = 0; i < 4; ++i)
             grey_[i] = load_float(queue.corner[i][3] + at);
     }
 
-    /// Lanes take polygons with any greys at their corners.
+    /// Tells which polygons the lanes do not take: only those that are unfit already, as any greys
+    /// at corners will do.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 

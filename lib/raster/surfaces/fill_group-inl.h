@@ -16,14 +16,14 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// The limit of the product of the lengths of a polygon's diagonals, relative to their cross
-/// product, which is twice the area. Beyond it, the polygon is a sliver.
+/// product, which is twice the area. Beyond this limit, the polygon is a sliver.
 constexpr float sliver_ratio = 64;
 
 /// Fills a vector of polygons, one in each lane. set_up() turns their corners into rows of a table;
 /// fill() writes the pixels of these rows.
 ///
-/// Shape: Light computes their greys or normals, as lambert_lanes, grey_lanes, level_lanes or
-///        normal_lanes do.
+/// Shape: Light is the class that computes the polygons' greys or normals, such as lambert_lanes,
+///        grey_lanes, level_lanes or normal_lanes do.
 template <class Light> class fill_group {
 public:
     /// Sets up a vector of polygons. Returns whether there is anything to fill.
@@ -49,7 +49,8 @@ public:
         return true;
     }
 
-    /// Writes the pixels. Returns how many were written.
+    /// Writes the pixels of the polygons that set_up() has put into the table. Returns how many
+    /// pixels were written.
     HWY_INLINE std::int64_t fill(const fill_band& band, const fill_table& table) const {
         return light_.fill(band, table);
     }
@@ -83,7 +84,8 @@ private:
         return hn::Add(hn::ShiftLeft<l3d_subpixel_bits>(index), set(pixel / 2));
     }
 
-    /// Finds which polygons are filled here. The others are queued for later, whole or in pieces.
+    /// Finds which polygons are filled with this vector. Other polygons are queued for later, whole
+    /// or in pieces.
     HWY_INLINE int_mask classify(const fill_target& to, std::size_t at, int_mask candidates) {
         light_.load(to.queue, at);
         places_.piece = hn::Eq(load(to.queue.name + at), set(fill_queue::piece));
@@ -119,9 +121,9 @@ private:
         return hn::AndNot(others, candidates);
     }
 
-    /// Finds the slivers at the picture's right edge. A run there begins left of the polygon, to
-    /// fit the picture, and a sliver's numbers at that place are some hundred times the corners'.
-    /// Pieces of quads would be thin, so quads at the edge are not cut.
+    /// Finds the slivers at the picture's right edge. At this edge, a run begins left of the
+    /// polygon, to fit the picture. A sliver's numbers where the run begins are some hundred times
+    /// the corners' numbers. Pieces of quads would be thin, so quads at the edge are not cut.
     HWY_INLINE int_mask slivers_at_the_edge() const {
         if (hn::AllFalse(ints(), at_edge_))
             return at_edge_;
@@ -232,14 +234,15 @@ private:
         to.counts.samples += hn::GetLane(hn::SumOfLanes(d, samples));
     }
 
-    std::size_t at_ = 0;  ///< index in the queue
-    int_vec x_[4], y_[4]; ///< relative to the centre of pixel (column_, row_)
+    std::size_t at_ = 0;  ///< index of the vector's first polygon in the queue
+    int_vec x_[4], y_[4]; ///< the corners, relative to the centre of pixel (column_, row_)
     int_vec column_, row_;
-    /// The part in the band, relative to (column_, row_).
+    /// Columns and rows of the polygon's box in the band, relative to (column_, row_).
     int_vec from_column_, to_column_, from_row_, to_row_;
     int_mask live_, large_;
-    int_mask at_edge_; ///< whether a row may begin where a run does not fit the picture
-    int_vec turn_a_, turn_b_, turn_d_; ///< cross products of the sides that meet in a, b and d
+    int_mask at_edge_; ///< polygons in which a row may begin where a run does not fit the picture
+    /// At corners a, b and d, the cross product of the two sides that meet there.
+    int_vec turn_a_, turn_b_, turn_d_;
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;
     lane_plane inv_w_;

@@ -19,7 +19,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Whether all pixels in a box are at least as near as `nearest`.
+/// Whether the depths of all pixels in a box are at least as near as `nearest`, an inv_w.
 /// Expects: a box that is not empty; `depths` points at its first pixel; whole runs of 16 fit the
 ///          picture.
 HWY_INLINE bool all_nearer(const float* depths, std::ptrdiff_t pitch, std::int32_t columns,
@@ -75,8 +75,9 @@ public:
         asked_ = hn::And(hn::FirstN(ints(), valid), hn::And(fits, filled));
     }
 
-    /// Clears the elements of `seen` whose polygons are hidden. The depth in the middle of the box
-    /// shows for most polygons that they are not hidden. Other polygons are tested one by one.
+    /// Sets the elements of `seen` to 0 whose polygons are hidden. For most polygons, the depth in
+    /// the middle of the box shows that they are not hidden. All other polygons are tested one by
+    /// one.
     HWY_INLINE void clear(std::int32_t* seen) const {
         const int_vec middle = hn::Add(hn::Add(first_, hn::ShiftRight<1>(columns_)),
                                        hn::Mul(hn::ShiftRight<1>(rows_), set(pitch())));
@@ -104,13 +105,13 @@ private:
     HWY_INLINE std::int32_t pitch() const { return static_cast<std::int32_t>(band_.depth_pitch); }
 
     const fill_band& band_;
-    /// The box: the index of its first pixel in the band's depths, and its size.
+    /// Each polygon's box: the index of its first pixel in the band's depths, and its size.
     int_vec first_, columns_, rows_;
-    float_vec nearest_; ///< upper bound of inv_w in its pixels
+    float_vec nearest_; ///< upper bound of inv_w in the polygon's pixels
     int_mask asked_;
 };
 
-/// Clears the elements of `seen` for hidden polygons among the first `count` of a queue.
+/// Sets the elements of `seen` to 0 for hidden polygons among the first `count` of a queue.
 HWY_INLINE void clear_hidden(const fill_band& band, fill_queue& queue, std::size_t count) {
     for (std::size_t at = 0; at < count; at += lanes)
         hidden_lanes(band, queue, at, std::min(lanes, count - at)).clear(queue.seen + at);

@@ -45,9 +45,9 @@ struct lane_lists {
 };
 constexpr lane_lists lists_of_lanes;
 
-/// Indices that bring the lanes of a mask to the front, in their order. Several vectors share one
-/// list, which costs less than to compress each, above all where the instruction set has no
-/// compression.
+/// Indices of lanes that bring the lanes of a mask to a vector's front, in their order. Several
+/// vectors use the same indices. This costs less than compressing each vector, above all where the
+/// instruction set has no compression.
 template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
     constexpr std::size_t listed = 8;
     if constexpr (hn::MaxLanes(D()) > listed) {
@@ -64,13 +64,14 @@ template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
 
 /// Queues the polygons that may cover a pixel, and fills them once there are enough.
 ///
-/// Shape: `Light` makes the polygons' greys, as lambert_lanes does.
+/// Shape: `Light` is the class that makes the polygons' greys or normals, as in fill_group.
 template <class Light> class fill_stream {
 public:
     HWY_INLINE explicit fill_stream(const fill_target& target)
         : target_(target), queue_(target.queue) {}
 
-    /// Polygons side by side. `name` is the name of the first one; names rise by `step`.
+    /// Neighbouring polygons, from arrays of their corners. `name` is the name of the first
+    /// polygon; names rise by `step`.
     struct row {
         const corner_arrays& corners;
         corner_places at;
@@ -78,8 +79,8 @@ public:
         std::size_t count;
         const void* source;
         std::int32_t name, step;
-        bool shows_both;                          ///< see l3d_micro_grid::shows_both
-        std::uint32_t material;                   ///< material of all, unless each has its own:
+        bool shows_both;        ///< see l3d_micro_grid::shows_both
+        std::uint32_t material; ///< the material of all polygons, unless each has its own
         const std::uint32_t* materials = nullptr; ///< see l3d_micro_triangles::materials
         bool names_quads = false;                 ///< see l3d_surface_part::names_quads
     };
@@ -115,8 +116,8 @@ private:
             take_last(d, from, i, count);
     }
 
-    /// Takes polygons at an array's end, where vectors would reach beyond it. They are few, so one
-    /// copy of this function serves all rows.
+    /// Takes polygons at an array's end, where vectors would reach beyond it. Such polygons are
+    /// few, so one copy of this function serves all rows.
     template <class D>
     HWY_NOINLINE void take_last(D d, const row& from, std::size_t i, std::size_t count) {
         take_vector<false>(d, from, i, count);
@@ -172,7 +173,7 @@ private:
             fill_enough();
     }
 
-    /// Queues the materials of the row's polygons from `i` on whose lanes are live.
+    /// Queues the materials of those of the row's polygons from `i` on whose lanes are live.
     template <class D>
     HWY_NOINLINE void put_materials(D d, const row& from, std::size_t i, hn::Mask<D> live) {
         std::uint32_t* const to = queue_.material + queue_.count;
@@ -204,8 +205,8 @@ private:
         queue_.material[to] = triangle.material;
     }
 
-    /// Fills the first `enough` polygons of the queue, and moves the others to its front. The
-    /// others are fewer than the lanes of the widest vector.
+    /// Fills the first `enough` polygons of the queue, and moves all others to the queue's front.
+    /// These others are fewer than the lanes of the widest vector.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
         find_seen(fill_queue::enough);

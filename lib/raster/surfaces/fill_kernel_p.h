@@ -18,10 +18,11 @@ namespace l3d_detail {
 /// A band: rows [top, bottom) of a picture while they are filled.
 ///
 /// Shape:   words and depths point at column 0 of row `top`. Pitches are in elements, >= width. If
-///          words are materials (fill_words), normals do so, too, with the pitch of depths.
+///          words hold normals (fill_words::has_normals), `normals` points there, too, with the
+///          pitch of depths.
 /// Expects: width >= fill_least_width; depths not negative, also where nobody has set them yet.
-///          Nothing outside [0, width) x [top, bottom) is touched. Inside, pixels beside polygons
-///          may be read and written back, so nobody else writes there meanwhile.
+///          Nothing outside [0, width) x [top, bottom) is touched. Pixels of the band beside
+///          polygons may be read and written back, so nobody else writes to the band meanwhile.
 struct fill_band {
     std::uint32_t* words;
     std::ptrdiff_t word_pitch;
@@ -42,18 +43,18 @@ inline bool fill_shades(l3d_shade mode) {
 
 struct fill_counts {
     std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
-    std::int64_t written = 0; ///< samples nearer than the depth of their pixels
+    std::int64_t written = 0; ///< samples that were nearer than the depth of their pixels
 
     /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
     /// once in every band.
     std::int64_t by_plane = 0;
 
-    /// Mode `levels`: errors as in l3d_surface_counts.
+    /// Mode `levels`: the error of levels, as in l3d_surface_counts.
     float level_error = 0;
     std::int64_t unproven_levels = 0;
-    float normal_error = 0; ///< lit frames: the error as in l3d_surface_counts
+    float normal_error = 0; ///< lit frames: the error of normals, as in l3d_surface_counts
 
-    std::int64_t unsolved = 0; ///< as in l3d_surface_counts
+    std::int64_t unsolved = 0; ///< tested pixels without an exact place, as in l3d_surface_counts
 
     void note_level_error(float error) {
         note(error, static_cast<float>(l3d_most_level_error), level_error);
@@ -81,12 +82,12 @@ private:
     }
 };
 
-/// Polygons that the lanes do not take. They are larger than 64 pixels or, for lambert, have
-/// normals that differ too much. The caller fills them by the scalar filler after fill_finish.
+/// Polygons that the lanes do not take: they are larger than 64 pixels or, for lambert, their
+/// normals differ too much. The caller fills them by the scalar filler after fill_finish.
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
-        std::size_t index;      ///< l3d_micro_grid::index of the first corner
+        std::size_t index;      ///< l3d_micro_grid::index of the quad's first corner
         std::uint32_t material; ///< as fill_words::of_material gives it
     };
     struct triangle {
@@ -106,14 +107,14 @@ struct fill_rest {
 
 /// The meaning of pixel words while a frame is filled.
 ///
-/// Without materials a word is a grey. With materials it is the grey's level, and above it the
-/// material; at the end, material_words replaces these words by colours. So the lanes fill both
-/// alike.
+/// Without materials, a word is a grey pixel. With materials, its lowest byte is the grey's level,
+/// and its upper bytes are the material's index. At the end of the frame, material_words replaces
+/// such words by colours.
 ///
 /// In lit frames the lanes write normals in normal_code, and lit_words lights each visible pixel
 /// once at the end. The upper half of a word is the z of a normal, the lower half the material.
 struct fill_words {
-    bool has_materials = false; ///< also true if has_normals is
+    bool has_materials = false; ///< whether words name materials; true if has_normals is true
     bool has_normals = false;   ///< whether words hold normals; expects at most most_lit_materials
     static constexpr std::size_t most_lit_materials = std::size_t{1} << 16;
 
@@ -124,7 +125,7 @@ struct fill_words {
         return has_materials ? material << 8 : 0;
     }
 
-    /// The difference of this part between a material and the next.
+    /// The difference between of_material() of a material and of the next material.
     std::uint32_t next_material() const { return of_material(1); }
 
     /// The word of level 1, without the material.
@@ -147,8 +148,9 @@ struct fill_piece {
 /// Lives: one for each worker, kept for its memory. Empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
-    /// The number of polygons that are filled together: whole vectors of every width. So neither
-    /// the polygons that wait, nor the results of tests for hidden shapes, depend on the width.
+    /// The number of polygons that are filled together: a multiple of every vector's width. So
+    /// neither the polygons that wait, nor the results of tests for hidden shapes, depend on the
+    /// width.
     static constexpr std::size_t enough = 3 * widest_vector;
     static constexpr std::size_t room = enough + 2 * widest_vector;
 
@@ -157,14 +159,16 @@ struct fill_queue {
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
-    alignas(64) std::array<const void*, room> source; ///< the grid or the triangles that have it
-    alignas(64) std::int32_t seen[room]; ///< 0: hidden; set when the polygon is to be filled
-    /// As fill_words::of_material; set only with materials.
+    /// The grid or the triangles that have the polygon.
+    alignas(64) std::array<const void*, room> source;
+    /// 0 if the polygon is hidden; set when it is about to be filled.
+    alignas(64) std::int32_t seen[room];
+    /// The material, as fill_words::of_material gives it; set only in frames with materials.
     alignas(64) std::uint32_t material[room];
     std::size_t count = 0;
 
-    /// The pieces of folded and skew quads. They are filled after all other polygons. So the order
-    /// of two equally near polygons does not depend on how many polygons waited together.
+    /// The pieces of folded and skew quads. Pieces are filled after all other polygons. So the
+    /// order of two equally near polygons does not depend on how many polygons waited together.
     std::vector<fill_piece> pieces;
 
     /// The grey levels of the corners of a run of polygons, written and read a vector at a time.
@@ -173,19 +177,22 @@ struct fill_queue {
     alignas(64) float greys[4][run] = {};
 };
 
-/// The band that is filled, and the queue, the counts and the rest that filling adds to.
+/// The data that filling works with: the band that it fills, and the queue, the counts and the rest
+/// that it adds to.
 struct fill_target {
     const fill_band& band;
     const l3d_shading& shading;
     fill_queue& queue;
     fill_counts& counts;
     fill_rest& rest;
-    bool leaves_out_hidden = true; ///< whether hidden polygons are left out, also of `samples`
+    /// Whether polygons that are surely hidden are left out, and their pixels not counted in
+    /// `samples`.
+    bool leaves_out_hidden = true;
     fill_words words{};
 };
 
-/// A grid and its material. For gouraud, it also has the grey levels of the vertices, from
-/// light_vertices.
+/// A grid and its material. For mode `gouraud`, it also has the grey levels of the vertices, which
+/// light_vertices finds.
 struct fill_grid {
     const l3d_micro_grid& vertices;
     const float* levels;
@@ -193,34 +200,35 @@ struct fill_grid {
     bool names_quads = false;   ///< as l3d_surface_part::names_quads
 };
 
-/// Finds the grey level of every vertex, for gouraud.
+/// Finds the grey level of every vertex, for mode `gouraud`.
 /// Shape: levels are laid out as the grid's arrays.
 void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, float* levels);
 
 /// Fills the quads of a grid whose first corners are in rows [row_begin, row_end) and columns
-/// [column_begin, column_end). They may wait until fill_finish.
+/// [column_begin, column_end). Quads may wait in the queue until fill_finish.
 ///
 /// The picture is the same as by surface_fill with the mode's shader. Coverage is exact, and so is
-/// `samples` unless hidden polygons are left out. Depth is within 1e-5 of the corners' range, and
-/// grey within one level. The bits are the same on every processor, and for every division of the
-/// picture into bands.
+/// the count `samples` unless hidden polygons are left out. Depth is within 1e-5 of its range at
+/// the corners, and grey within one level. The bits are the same on every processor, and for every
+/// division of the picture into bands.
 /// Expects: fill_shades(mode); 0 <= row_begin, row_end < grid.rows, and the same for columns;
-///          normals of unit length, or zero; inv_w > 0. Band and shading are the same until
-///          fill_finish, and grids stay.
+///          normals of unit length, or zero; inv_w > 0. Band and shading stay the same until
+///          fill_finish, and grids stay in memory.
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);
 
-/// Fills triangles [first, last), with this material, or their own if they have one. Otherwise it
-/// works as fill_quads.
+/// Fills triangles [first, last), with their own materials if they have some, else with this one.
+/// In all other respects it works as fill_quads.
 void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
                     std::uint32_t material, std::size_t first, std::size_t last);
 
-/// Fills the polygons that still wait. Afterwards, the band is complete except for the rest.
+/// Fills the polygons that still wait in the queue. Afterwards, the band is complete except for the
+/// polygons in the rest.
 void fill_finish(const fill_target& to);
 
-/// Queues the pieces of a folded or skew quad, cut as by surface_fill, or adds a polygon to the
-/// rest.
-/// Expects: if `in_pieces`, polygon i of the queue is folded or skew if it is a quad.
+/// If `in_pieces`, cuts polygon i of the queue as surface_fill does, and queues its pieces.
+/// Otherwise adds the polygon to the rest.
+/// Expects: a quad that is cut is folded or skew.
 void fill_put_by(const fill_target& to, std::size_t i, bool in_pieces);
 
 } // namespace l3d_detail

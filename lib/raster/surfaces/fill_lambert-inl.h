@@ -30,20 +30,21 @@ constexpr float grey_of_cosine = 229.5f;
 /// squares stay above 0.75.
 constexpr float smooth_spread = 1.0f;
 
-/// Limits for dividing normals by their length: up to these, the whole polygon has one factor,
-/// 1 + spread / 32. The error must be at most flat_error grey levels. The spread must be at most
-/// flat_spread, where the squares of these errors are a tenth of a level.
+/// Limits up to which all normals of a polygon are divided by their length with the same factor, 1
+/// + spread / 32. The error must be at most flat_error grey levels. The spread must be at most
+/// flat_spread, where the squares of these errors are a tenth of a grey level.
 constexpr float flat_error = 0.9f, flat_spread = 0.25f;
 
-/// The limit of the spread of a quad that is filled in pieces. A triangle's spread may be twice its
-/// quad's.
+/// The limit of a quad's spread (smooth_spread explains it) up to which its pieces are filled in
+/// lanes. A triangle's spread may be twice its quad's.
 constexpr float piece_spread = 0.49f * smooth_spread;
 
 /// Computes the light of a vector of polygons from normals of their corners, which are in the
 /// queue.
 class lambert_lanes {
 public:
-    static constexpr std::size_t numbers = 3; ///< numbers of each corner in the queue
+    /// The number of inputs of light that each corner has in the queue.
+    static constexpr std::size_t numbers = 3;
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         square1_ = square2_ = hn::Zero(floats());
@@ -64,11 +65,11 @@ public:
         spread_ = hn::Add(hn::Add(square1_, square2_), hn::Mul(set(0.5f), across));
     }
 
-    /// Adds the polygons whose normals differ too much.
+    /// Adds to the unfit polygons those whose normals differ too much for lanes.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const {
         return hn::Or(unfit, mask_of(hn::Gt(spread_, set(smooth_spread))));
     }
-    /// Keeps the polygons whose pieces will be fit.
+    /// Returns those of the polygons whose pieces the lanes can fill.
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const {
         return hn::And(polygons, mask_of(hn::Le(spread_, set(piece_spread))));
     }
@@ -129,7 +130,7 @@ public:
     }
 
 private:
-    /// A bound for the error of cosines if 1 / length is taken as 1 + spread / 32.
+    /// A bound for the error of cosines if 1 / (a normal's length) is taken as 1 + spread / 32.
     /// Units: grey levels. See NUMERICS, section 14.
     HWY_INLINE float_vec error_of_plane(const float_vec (&lit)[4], const lane_places& at) const {
         const float_vec unlike = hn::Abs(hn::Sub(square1_, square2_));
@@ -146,7 +147,8 @@ private:
                        hn::IfThenElse(triangle, of_triangle, of_quad));
     }
 
-    /// Sets up which side of the surface is seen, for polygons whose normals point partly away.
+    /// Sets up which side of the surface is seen, for polygons whose normals point away from the
+    /// eye at some corners only.
     HWY_INLINE void face(hn::Mask<floats> mixed, const float_vec (&away)[4], const lane_places& at,
                          fill_table& table) {
         const floats d;
@@ -182,7 +184,8 @@ private:
 
     float_vec normal_[3][4], spread_;
     float_vec square1_, square2_; ///< squared differences of opposite corners' normals
-    float_vec lean_;              ///< components of these differences along the twist a - b + c - d
+    /// Components of these differences along the twist a - b + c - d of the corners' normals.
+    float_vec lean_;
     lane_plane lit_, facing_, bend_x_;
     lane_parabola bend_;
     fill_shape shape_;

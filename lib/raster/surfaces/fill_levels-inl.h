@@ -23,7 +23,8 @@ namespace {
 /// the mean of their bends. See NUMERICS, section 14.
 class level_lanes {
 public:
-    static constexpr std::size_t numbers = 3; ///< numbers of each corner in the queue
+    /// The number of inputs of light that each corner has in the queue.
+    static constexpr std::size_t numbers = 3;
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         for (int i = 0; i < 4; ++i)
@@ -34,7 +35,8 @@ public:
         side_dc_ = load_float(queue.corner[3][4] + at);
     }
 
-    /// Adds skewed quads: a parabola in their parameters is far from a parabola in the picture.
+    /// Adds to the unfit polygons the skewed quads, as a parabola in their parameters is far from a
+    /// parabola in the picture.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask skewed) const {
         return hn::Or(unfit, skewed);
     }
@@ -129,9 +131,10 @@ private:
     }
 
     float_vec level_[4];
-    /// Bends: the sides' middles above the means of their ends.
+    /// The bend of each side: the level in its middle, less the mean of the levels at its ends.
     float_vec side_ab_, side_ad_, side_bc_, side_dc_;
-    /// Height of corners a and c above the quad's plane, and of b and d below it.
+    /// The amount by which the levels of corners a and c are above the quad's plane of levels, and
+    /// those of b and d below it.
     float_vec off_plane_;
     lane_parabola level_of_;
     lane_plane slope_;

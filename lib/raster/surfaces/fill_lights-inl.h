@@ -22,7 +22,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Arrays of vertices that are neighbours in memory.
+/// The arrays that hold vertices which are neighbours in memory.
 ///
 /// Shape: `size` elements of each array may be read.
 struct vertex_arrays {
@@ -47,8 +47,8 @@ using corner_arrays = std::array<vertex_arrays, 4>;
 /// The index of the first polygon's corner, in each of the four corners' arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// The numbers of the corners' light that the queue takes, in arrays. As many elements may be read
-/// as in the corners' arrays.
+/// The numbers of the corners' light that the queue takes, in arrays. As many elements of each
+/// array may be read as of the corners' arrays.
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;
@@ -76,8 +76,8 @@ HWY_INLINE void for_vectors(std::size_t count, std::size_t size, const Action& a
             action(std::false_type(), i);
 }
 
-/// The grey level of a cosine. Where `away` is positive, the normal points away from the eye, and
-/// is turned.
+/// The grey level for the cosine between a normal and the light. Where `away` is positive, the
+/// normal points away from the eye, so the cosine's sign is turned.
 HWY_INLINE float_vec level_of(float_vec cosine, float_vec away) {
     const float_vec zero = hn::Zero(floats()), one = set(1.0f);
     const float_vec turned = hn::IfThenElse(hn::Gt(away, zero), hn::Neg(cosine), cosine);
@@ -117,7 +117,8 @@ HWY_INLINE float_vec away_of_quads(const corner_arrays& v, const corner_places& 
     return hn::IfThenElseZero(hn::RebindMask(floats(), turns_right(ints(), x, y)), set(1.0f));
 }
 
-/// The light of corners in modes that take numbers of the vertices: normals, or levels and bends.
+/// The light of corners in modes that interpolate the vertices' own numbers: normals, or levels and
+/// bends.
 template <class Lanes> class corner_lights {
 public:
     using lanes_type = Lanes;
@@ -138,7 +139,7 @@ using normal_lights = corner_lights<lambert_lanes>;
 using later_lights = corner_lights<normal_lanes>;
 using level_lights = corner_lights<level_lanes>;
 
-/// Finds the grey levels of `count` vertices from `at` on. Expects: room for whole vectors.
+/// Finds the grey levels of `count` vertices from index `at` on. Expects: room for whole vectors.
 HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, std::size_t at,
                             std::size_t count, float* levels) {
     for_vectors(count, v.size - at, [&](auto inside, std::size_t i) HWY_ATTR {
@@ -148,8 +149,8 @@ HWY_INLINE void make_levels(const l3d_shading& shading, const vertex_arrays& v, 
     });
 }
 
-/// The light of corners in mode `gouraud`: each vertex's grey level. A grid's levels are made
-/// beforehand.
+/// The light of corners in mode `gouraud`: each vertex's grey level. The levels of a grid's
+/// vertices are made before its quads are filled.
 class vertex_lights {
 public:
     using lanes_type = grey_lanes;
@@ -185,7 +186,8 @@ private:
     const float* of_grid_;
 };
 
-/// The light of corners in mode `flat`: all have the grey level of the sum of their normals.
+/// The light of corners in mode `flat`: all corners of a polygon have the grey level of the sum of
+/// their normals.
 class polygon_lights {
 public:
     using lanes_type = grey_lanes;
@@ -230,8 +232,8 @@ private:
         return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};
     }
 
-    /// A lower bound of the squared length of sums of normals. If normals cancel, no light comes
-    /// from them.
+    /// A lower bound of the squared length of a sum of normals. If the normals cancel, the sum gets
+    /// no light but the ambient one.
     static constexpr float least_square = 1e-30f;
 
     const l3d_shading& shading_;

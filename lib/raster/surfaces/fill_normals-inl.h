@@ -19,7 +19,8 @@ namespace {
 /// queue.
 class normal_lanes {
 public:
-    static constexpr std::size_t numbers = 3; ///< numbers of each corner in the queue
+    /// The number of inputs of light that each corner has in the queue.
+    static constexpr std::size_t numbers = 3;
 
     HWY_INLINE void load(const fill_queue& queue, std::size_t at) {
         for (std::size_t k = 0; k < numbers; ++k)
@@ -28,8 +29,8 @@ public:
                     hn::Mul(set(normal_code::scale), load_float(queue.corner[i][3 + k] + at));
     }
 
-    /// Lanes take polygons with any normals at their corners: each pixel normalizes its normal
-    /// later.
+    /// Tells which polygons the lanes do not take: only those that are unfit already. Any normals
+    /// at corners will do, as lit_words normalizes each pixel's normal later.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 

@@ -14,7 +14,7 @@
 namespace l3d_detail {
 namespace {
 
-/// Adds a triangle to the queue's pieces.
+/// Adds triangles that were cut from quads to the queue's pieces.
 class piece_maker {
 public:
     piece_maker(const fill_target& to, std::uint32_t material)

@@ -17,8 +17,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A parabola for 1 / sqrt(q) over [0.75, 1.02], through its Chebyshev points. Its error is within
-/// 3e-4, which is 0.07 grey levels.
+/// A parabola for 1 / sqrt(q) over [0.75, 1.02], where q is the square of a normal's length. It is
+/// exact at the interval's Chebyshev points. Its error is within 3e-4, which is 0.07 grey levels.
 constexpr float unit_parabola[3] = {2.0041274f, -1.5196685f, 0.5155188f};
 
 /// Adds 1 to the lanes of `mask`.
@@ -33,7 +33,7 @@ template <class D> HWY_INLINE hn::Vec<D> one_more_where(hn::Mask<D> mask, hn::Ve
 template <class D, std::int32_t Pixels, fill_shape Shape> class fill_polygon {
 public:
     using int_tag = hn::RebindToSigned<D>;
-    using count_vec = hn::Vec<int_tag>; ///< number of written pixels in each lane
+    using count_vec = hn::Vec<int_tag>; ///< the number of written pixels, in each lane
 
     HWY_INLINE fill_polygon(const fill_band& band, const fill_table& table, std::size_t i)
         : words_(band.words), depths_(band.depths),
@@ -69,14 +69,15 @@ public:
     }
 
     /// Fills a polygon with one run in each row.
-    /// Expects: rows are not longer than a run, nor at the edge.
+    /// Expects: rows are not longer than a run, nor at the picture's right edge.
     HWY_INLINE void fill(count_vec& written) const {
         for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
             one_run(first_start(row), at, written, columns_below(row.pixels[i_]));
         });
     }
 
-    /// Fills a polygon with as many runs in each row as it needs. Expects: no row is at the edge.
+    /// Fills a polygon with as many runs in each row as it needs. Expects: no row is at the
+    /// picture's right edge.
     HWY_INLINE void fill_wide(count_vec& written) const {
         for_rows([&](const fill_row& row, const run_place& at) HWY_ATTR {
             const std::int32_t pixels = row.pixels[i_];
@@ -110,7 +111,7 @@ private:
     static constexpr bool is_normal = Shape == fill_shape::normal;
     static constexpr std::size_t width = hn::MaxLanes(D()), vectors = Pixels / width;
 
-    /// The numbers at a run's first pixel, in all lanes.
+    /// The interpolated numbers at a run's first pixel, each in all lanes.
     struct run_start {
         vec inv_w, lit, lit_x, bend, bend_x, facing, normal_y, normal_z;
     };
@@ -193,7 +194,7 @@ private:
         return there;
     }
 
-    /// Tells which columns of a run are below `end`, for each of its vectors.
+    /// The masks of the columns of a run that are below `end`: one for each of the run's vectors.
     HWY_INLINE auto columns_below(std::int32_t end) const {
         return [this, end = hn::Set(int_tag(), end)](std::size_t v)
                    HWY_ATTR { return hn::Lt(columns_[v], end); };
@@ -253,7 +254,8 @@ private:
         return make_.of_cosines(lit);
     }
 
-    std::uint32_t* words_; ///< copied from the band: stores might change its members
+    /// Copied from the band, as compilers must assume that stores change the band's members.
+    std::uint32_t* words_;
     float* depths_;
     std::uint32_t* normals_;
     run_place pitch_;
@@ -269,7 +271,7 @@ private:
 
 /// Fills polygons of a table, and counts the pixels that were written.
 ///
-/// Most rows are short, and suit short vectors, of which the processor's ports take more at a time.
+/// Most rows are short, and suit short vectors, of which a processor computes more at a time.
 class fill_polygons {
 public:
     HWY_INLINE fill_polygons(const fill_band& band, const fill_table& table)

@@ -29,7 +29,8 @@ HWY_INLINE int_mask mask_of(hn::Mask<floats> mask) {
     return hn::RebindMask(ints(), mask);
 }
 
-/// The same as first_centre of pixel_centres.h, in lanes.
+/// The first pixel whose centre is at or after a position: first_centre of pixel_centres.h, in
+/// lanes.
 template <class D> HWY_INLINE hn::Vec<D> first_centre_of(D d, hn::Vec<D> position) {
     return hn::ShiftRight<l3d_subpixel_bits>(hn::Add(position, hn::Set(d, pixel / 2 - 1)));
 }
@@ -46,7 +47,7 @@ HWY_INLINE int_vec blend(int_mask yes, int_vec if_yes, int_vec if_no) {
     return hn::IfThenElse(yes, if_yes, if_no);
 }
 
-/// Finds floor(n / d) and the remainder.
+/// Finds floor(n / d) and the remainder, where `inverse` is 1 / d.
 /// Expects: d > 0, |n| < 2^30, |n / d| < 2^21.
 ///
 /// The quotient of floats has an error of at most 3 roundings, 3 * 2^-24 * 2^21 < 1/2. Rounding it
@@ -65,15 +66,17 @@ HWY_INLINE void divide(int_vec n, int_vec d, float_vec inverse, int_vec& quotien
     remainder = hn::Add(hn::Sub(r, hn::IfThenElseZero(more, d)), hn::IfThenElseZero(less, d));
 }
 
-/// One edge of each polygon, stepped from row to row like Bresenham's line. `column` is exactly the
-/// first column whose centre is on the edge's line or right of it.
+/// One edge of each polygon in a vector, stepped from row to row like Bresenham's line. `column` is
+/// exactly the first column whose centre is on the edge's line or right of it.
 ///
 /// An edge also limits the rows above and below it, as a convex polygon lies on one side of the
-/// edge's whole line. Where the line is nearly level, the column changes by up to 2^14 a row, and
-/// up to 2^20 in all.
+/// edge's whole line. Where the line is nearly horizontal, the column changes by up to 2^14 a row,
+/// and up to 2^20 in all.
 struct lane_edge {
     int_vec column, column_step;
-    int_vec room, room_step, whole; ///< the remainder, counted down from whole - 1
+    /// `room` is `whole` - 1, less the remainder of the division by `whole` that gives `column`.
+    /// `room_step` is the amount by which `room` falls from row to row.
+    int_vec room, room_step, whole;
     int_vec left;   ///< all bits set if columns left of the edge are outside, else none
     int_vec beyond; ///< 0 if columns right of the edge are outside, else more than any column
 
@@ -145,8 +148,8 @@ struct lane_parabola {
         return hn::Add(base, hn::Add(hn::Mul(s1, along_s), hn::Mul(t1, along_t)));
     }
 
-    /// The change for a step by (ds, dt): slope() is the part that depends on the place, and
-    /// square() the part with the step's square.
+    /// The change of the function over a step by (ds, dt) is slope() at the place, plus square(),
+    /// in which the step is squared.
     HWY_INLINE lane_plane slope(float_vec ds, float_vec dt) const {
         const float_vec half_s = half_slope(ss, ds, dt), half_t = half_slope(tt, dt, ds);
         return {hn::Add(hn::Mul(s, ds), hn::Mul(t, dt)), hn::Add(half_s, half_s),
@@ -169,11 +172,11 @@ struct mean_parabola {
     float_vec base, y, z, yy, yz, zz;
 };
 
-/// The coordinates of lane_plane in a polygon. Its two differences go from corner a to c and from b
-/// to d. Their cross product is twice the area, also for a triangle, whose d is c.
+/// The coordinates of lane_plane in a polygon. The two differences go from corner a to c and from b
+/// to d. Their cross product, area2, is twice the area, also for a triangle, whose d is c.
 struct lane_frame {
-    float_vec mean_s, mean_t; ///< the mean of the corners, in parts of the differences
-    float_vec inverse;        ///< 1 / area2
+    float_vec mean_s, mean_t; ///< s and t of the corners' mean, divided by area2
+    float_vec inverse;        ///< 1 / area2, where area2 is twice the polygon's area
 
     HWY_INLINE lane_plane plane(const float_vec (&v)[4]) const {
         const float_vec d1 = hn::Sub(v[2], v[0]), d2 = hn::Sub(v[3], v[1]);
@@ -201,9 +204,10 @@ struct lane_frame {
 struct lane_places {
     int_vec x[4], y[4]; ///< corners in the picture, in sub-pixels
     lane_frame frame;
-    float_vec column_s, column_t; ///< change of s and t from column to column
-    int_mask fits, piece;         ///< polygons that are filled here, and pieces of quads
-    int_mask triangle;            ///< polygons that have their last corner twice
+    /// The change of s and t from a column of the picture to the next.
+    float_vec column_s, column_t;
+    int_mask fits, piece; ///< polygons that are filled with this vector, and pieces of quads
+    int_mask triangle;    ///< polygons that have their last corner twice
     /// Distance between the middles of a quad's diagonals, in parts of the diagonals.
     float_vec uneven;
 };
@@ -220,7 +224,8 @@ template <class V> HWY_INLINE V most_of(const V (&v)[4]) {
     return hn::Max(hn::Max(hn::Max(v[0], v[1]), v[2]), v[3]);
 }
 
-/// The corners of a vector of polygons in a queue, and the box around each. Units: sub-pixels.
+/// The corners of a vector of polygons in a queue, and the box around each polygon. Units:
+/// sub-pixels.
 struct lane_corners {
     int_vec x[4], y[4];
     int_vec left, top, right, bottom;
@@ -237,16 +242,16 @@ struct lane_corners {
     }
 };
 
-/// A bound of the error that the change of w over a polygon adds to numbers, as a share of their
-/// range.
+/// A bound of the error that the change of w over a polygon adds to interpolated numbers, as a
+/// share of the range of these numbers at the corners.
 HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     const floats d;
     const float_vec ratio = hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));
     return hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f)));
 }
 
-/// Notes errors as fill_counts does, in lanes: the largest one up to `most`, and the number of
-/// larger ones.
+/// Notes the errors of a vector of polygons, as fill_counts does: the largest error up to `most`,
+/// and the number of larger errors.
 HWY_INLINE void note_errors(float_vec error, double most, float& largest, std::int64_t& unproven) {
     const floats d;
     const auto tight = hn::Le(error, set(static_cast<float>(most)));
@@ -261,7 +266,8 @@ HWY_INLINE float_vec lit_of(const l3d_shading& shading, const float_vec (&normal
                    hn::Mul(normal[2], set(shading.light[2])));
 }
 
-/// The same as away_from_eye in lanes, operation by operation.
+/// The product of a normal with the ray from the eye: away_from_eye in lanes, operation by
+/// operation.
 HWY_INLINE float_vec away_of(const l3d_shading& shading, int_vec place_x, int_vec place_y,
                              const float_vec (&normal)[3]) {
     const float_vec x = hn::Mul(to_float(place_x), set(1.0f / pixel));

@@ -18,8 +18,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The number of pixels of a row that are filled together. It is fixed, as a pixel's bits depend on
-/// where its run begins.
+/// The number of pixels of a row that are filled together. This number is the same for all
+/// instruction sets, as a pixel's bits depend on where its run begins.
 constexpr std::int32_t run = 16;
 static_assert(run <= fill_least_width);
 
@@ -27,8 +27,8 @@ static_assert(run <= fill_least_width);
 alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6,  7,
                                                        8, 9, 10, 11, 12, 13, 14, 15};
 
-/// The limit of a polygon's extent in pixels, beyond which the lanes do not take it. A polygon
-/// within it has at most one more row and column.
+/// The limit of a polygon's width and height in pixels, beyond which the lanes do not take it. A
+/// polygon within this limit covers at most most_pixels + 1 rows and columns.
 constexpr std::int32_t most_pixels = 64;
 
 /// Polygons are set up together, one in each lane of a vector.
@@ -38,23 +38,26 @@ static_assert(lanes <= fill_queue::widest_vector);
 enum class fill_shape {
     grey,    ///< lit is the grey level, clamped between darkest and brightest
     flat,    ///< lit is the cosine times 229.5
-    twisted, ///< lit / sqrt(bend) is that number; its sign changes where facing < 0
+    twisted, ///< lit / sqrt(bend) is the cosine times 229.5, with its sign turned where facing < 0
     bent,    ///< lit is the cosine times 229.5, as a parabola instead of a plane
     normal   ///< lit is one of three components of a normal, each a plane
 };
 
-/// A number of each polygon in a vector.
+/// An array with a number for each polygon in a vector.
 template <class T> struct alignas(lanes * sizeof(T)) lane_array {
     T of[lanes];
 
     HWY_INLINE T operator[](std::size_t i) const { return of[i]; }
 };
 
-/// One row of each polygon. Columns are counted from the polygon's first one. Numbers are those of
-/// the pixel at `begin`; names with `_x` are changes from column to column.
+/// One row of each polygon in a vector. Columns are counted from the polygon's first column.
+/// Interpolated numbers are those of the pixel at `begin`; names with `_x` are changes from column
+/// to column.
 struct fill_row {
-    lane_array<std::int32_t> from, pixels; ///< first covered column, and number of covered pixels
-    /// First run's column: `from`; at the edge, or without pixels, one where a run fits.
+    /// The row's first covered column, and its number of covered pixels.
+    lane_array<std::int32_t> from, pixels;
+    /// The column at which the first run begins. It is `from`, but at the picture's right edge, or
+    /// without pixels, a column where a run fits.
     lane_array<std::int32_t> begin;
     lane_array<float> inv_w, lit;
 };
@@ -64,7 +67,7 @@ struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
 
-/// The other two components of a normal.
+/// A row's y and z of normals, if `lit` is the x.
 struct fill_row_normal {
     lane_array<float> y, z;
 };
@@ -72,23 +75,27 @@ struct fill_row_normal {
 /// The rows of a vector of polygons, for the pixel loops. Only the arrays that a shape needs are
 /// set.
 ///
-/// A row's first run begins at its first covered pixel, and further runs follow. At the picture's
-/// right edge, a run that would not fit begins further left.
+/// A row's first run begins at its first covered pixel, and further runs follow to its right. At
+/// the picture's right edge, a run that would not fit begins further left.
 struct fill_table {
     fill_words words;
-    lane_array<std::uint32_t> material;         ///< as fill_words::of_material gives it
-    lane_array<std::int32_t> word_at, depth_at; ///< indices of column 0 in the first row
-    lane_array<std::int32_t> height;            ///< number of rows; 0 if there is nothing to fill
-    lane_array<std::int32_t> longest; ///< pixels of the longest row; > most_pixels at the edge
+    lane_array<std::uint32_t> material; ///< as fill_words::of_material gives it
+    /// Indices of column 0 of the polygon's first row, in band.words and band.depths.
+    lane_array<std::int32_t> word_at, depth_at;
+    lane_array<std::int32_t> height; ///< number of rows; 0 if there is nothing to fill
+    /// Pixels of the longest row; > most_pixels at the picture's right edge.
+    lane_array<std::int32_t> longest;
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;
     lane_array<float> bend_xx, facing_x;
-    lane_array<float> lit_xx;                 ///< used for a parabola
-    lane_array<float> normal_y_x, normal_z_x; ///< used for a normal
-    lane_array<std::int32_t> twisted;         ///< 0: the polygon is flat
+    lane_array<float> lit_xx; ///< the factor of the column's square, if `lit` is a parabola
+    /// The changes of a normal's y and z from column to column.
+    lane_array<float> normal_y_x, normal_z_x;
+    lane_array<std::int32_t> twisted; ///< in a table of twisted polygons, 0 for a flat one
     fill_row rows[most_pixels + 1];
     fill_row_twisted twisted_rows[most_pixels + 1];
-    lane_array<float> bent_rows[most_pixels + 1]; ///< the change of `lit` to the next column
+    /// The slope of `lit` at `begin`, if it is a parabola.
+    lane_array<float> bent_rows[most_pixels + 1];
     fill_row_normal normal_rows[most_pixels + 1];
 };
 

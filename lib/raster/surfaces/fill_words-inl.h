@@ -15,8 +15,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Shuffles that make a pixel word from the lowest byte of each sum. Greys repeat it in the three
-/// lower bytes. Levels take it once, as the other bytes are a material's.
+/// Shuffles that make a pixel word from the lowest byte of each sum. A grey repeats the byte in the
+/// word's three lower bytes. A level takes it once, as the other bytes belong to the material.
 alignas(16) constexpr std::uint8_t bytes_of_greys[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
                                                          8, 8, 8, 0x80, 12, 12, 12, 0x80};
 alignas(16) constexpr std::uint8_t bytes_of_levels[16] = {
@@ -38,7 +38,7 @@ template <class D> struct word_maker {
     }
 #endif
 
-          /// Words of levels, rounded. Expects: levels in [0, 255].
+          /// Words of levels, which are rounded to the nearest. Expects: levels in [0, 255].
           HWY_INLINE word_vec of_levels(hn::Vec<D> level) const {
         return hn::Or(spread(hn::Add(level, hn::Set(D(), whole_numbers))), material_);
     }
@@ -73,11 +73,11 @@ template <class D> struct word_maker {
 private:
     static constexpr std::uint32_t ambient = 26;
 
-    /// A number for rounding: added to a smaller number, it makes the sum's last bits the nearest
-    /// integer.
+    /// A number for rounding: if it is added to a smaller number, the last bits of the sum are the
+    /// nearest integer.
     static constexpr float whole_numbers = 8388608.0f; // 2^23
 
-    /// Words whose lower halves are the integers nearest to numbers.
+    /// Words whose lower halves are the integers nearest to the given numbers.
     static HWY_INLINE word_vec rounded(hn::Vec<D> number) {
         return hn::BitCast(tag(), hn::Add(number, hn::Set(D(), normal_code::whole_numbers)));
     }
@@ -96,7 +96,8 @@ private:
     word_vec unit_, material_;
 #else
     hn::Vec<hn::Repartition<std::uint8_t, D>> bytes_;
-    word_vec material_, darkest_; ///< word without the level; word with the level of ambient light
+    /// A word with the material alone; a word with the material and the level of ambient light.
+    word_vec material_, darkest_;
 #endif
 };
 

@@ -10,15 +10,15 @@
 namespace l3d_detail {
 
 /// The pixels that a polygon in the box may cover. By the fill rule, a centre on the right or lower
-/// side of the box belongs to no polygon in it.
+/// side of the box belongs to no polygon in the box.
 inline l3d_pixel_box pixels_in(const l3d_subpixel_box& box) {
     return {first_centre(box.left), first_centre(box.top), first_centre(box.right),
             first_centre(box.bottom)};
 }
 
 /// The pixels whose squares a polygon in the box may reach. The left and the upper side of a square
-/// count for the pixel beyond, too, since contours are walked with a small shift to the left and
-/// up.
+/// count for the pixel beyond this side, too, since contours are walked with a small shift to the
+/// left and up.
 inline l3d_pixel_box squares_in(const l3d_subpixel_box& box) {
     constexpr std::int32_t last = l3d_subpixel_one - 1;
     return {(box.left - 1) >> l3d_subpixel_bits, (box.top - 1) >> l3d_subpixel_bits,

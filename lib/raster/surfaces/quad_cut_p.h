@@ -19,7 +19,8 @@ inline scan_point position(const l3d_micro_vertex& vertex) {
     return {vertex.x, vertex.y};
 }
 
-/// Twice the area of a triangle in the picture, positive if its corners turn to the right there.
+/// Twice the area of a triangle in the picture, positive if its corners turn to the right in the
+/// picture.
 inline std::int64_t twice_area(const l3d_micro_vertex& a, const l3d_micro_vertex& b,
                                const l3d_micro_vertex& c) {
     return cross(position(b) - position(a), position(c) - position(a));
@@ -34,10 +35,11 @@ inline quad_corners corners_of(const l3d_micro_grid& grid, std::size_t p00) {
     return {grid.vertex(p00), grid.vertex(p00 + 1), grid.vertex(p01 + 1), grid.vertex(p01)};
 }
 
-/// Turns the light at a polygon's corners to the side that the picture shows. Before, it belongs to
-/// the side to which dS/du x dS/dv points. area2, twice the area, is positive if the polygon turns
-/// to the right in the picture. Then dS/du, dS/dv and the line of sight are right-handed, as the
-/// picture's right, down and forward are, so the normal points away from the eye.
+/// Turns the light at a polygon's corners to the side that the picture shows. Before the call, the
+/// light belongs to the side to which dS/du x dS/dv points. area2, twice the area, is positive if
+/// the polygon turns to the right in the picture. Then dS/du, dS/dv and the line of sight are
+/// right-handed, as the picture's right, down and forward are, so the normal points away from the
+/// eye.
 template <std::size_t Corners>
 void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area2) {
     if (area2 > 0)
@@ -46,8 +48,9 @@ void show_side(std::array<l3d_micro_vertex, Corners>& polygon, std::int64_t area
                 number = -number;
 }
 
-/// The turns of a quad: at each corner, twice the area of the triangle of the corner and its
-/// neighbours. It is positive where the quad turns to the right.
+/// The turns of a quad, which tell whether it is convex or folded. The turn at a corner is twice
+/// the area of the triangle of this corner and its neighbours, positive where the quad turns to the
+/// right.
 class quad_turns {
 public:
     explicit quad_turns(const std::array<scan_point, 4>& v) {
@@ -64,15 +67,15 @@ public:
     bool folded() const { return left() && right(); }
 
     /// Whether the middles of the diagonals are far apart, so that a plane does not suit the
-    /// corners' numbers. The plane exceeds them by skew / area2 / 4 of their range, which is at
-    /// most an eighth of it in quads that are not skew.
+    /// corners' numbers. The plane exceeds these numbers by skew / area2 / 4 of their range. In
+    /// quads that are not skew, this is at most an eighth of the range.
     bool skew() const {
         const std::int64_t skew = std::abs(at_[0] - at_[2]) + std::abs(at_[1] - at_[3]);
         return 2 * skew > std::abs(area2());
     }
 
     /// Twice the area of the triangle between a side and the crossing of the two sides beside it; 0
-    /// if these do not cross. The turns give the place of the crossing on the next side.
+    /// if these two sides do not cross. The turns give the crossing's place on the next side.
     double crossed(std::size_t side) const {
         const auto at = [&](std::size_t i) { return static_cast<double>(at_[(side + i) % 4]); };
         if (at(0) * at(3) >= 0 || at(1) * at(2) >= 0)
@@ -80,7 +83,7 @@ public:
         return std::abs(at(1)) * std::abs(at(0)) / (std::abs(at(0)) + std::abs(at(3)));
     }
 
-    /// The corner, 0 or 1, from which a diagonal cuts the quad best: so that the smaller half is as
+    /// The corner, 0 or 1, from which a diagonal cuts the quad best, so that the smaller half is as
     /// large as possible.
     std::size_t diagonal() const {
         const auto smaller = [this](std::size_t i) {
@@ -96,9 +99,10 @@ private:
     std::array<std::int64_t, 4> at_;
 };
 
-/// The point around which a folded quad is filled: the mean of its corners before projection. Its w
-/// is their mean w, and its place and normal are means weighted by w. In a parallel projection all
-/// weights are equal, and its depth is the mean depth.
+/// The point around which a folded quad is filled: the mean of the quad's corners before
+/// projection. The point's w is the corners' mean w. Its place and normal are the corners' means,
+/// weighted by w. In a parallel projection all weights are equal, and the point's depth is the mean
+/// depth.
 inline l3d_micro_vertex projective_centre(const quad_corners& corners, bool parallel) {
     double sum = 0, x = 0, y = 0, depth = 0;
     std::array<double, 3> normal{};
@@ -126,11 +130,12 @@ inline bool piece_turns_right(const quad_corners& v, const l3d_micro_vertex& cen
 
 /// Finds which side of the surface each triangle around the centre of a folded quad shows.
 ///
-/// A triangle that is turned over shows its back, as at a contour. The exception is a single one.
-/// Then the other three go once around the centre and cover it again, except for a rest: the part
-/// between its outer side and the crossing of the quad's sides beside that. Rounded corners, as
-/// beside a pole, make such triangles, too. So the triangle shows the same side as the others if
-/// the rest is less than half of it, or the sides do not cross.
+/// A triangle that is turned over shows its back, as at a contour. The exception is a single turned
+/// triangle. Then the other three triangles go once around the centre and cover the turned one
+/// again, except for a rest. The rest lies between the turned triangle's outer side and the
+/// crossing of the quad's two sides beside this side. Rounded corners, as beside a pole, make such
+/// triangles, too. So the turned triangle shows the same side as the others if the rest is less
+/// than half of it, or the two sides do not cross.
 class folded_sides {
 public:
     folded_sides(const quad_corners& v, const quad_turns& turns, const l3d_micro_vertex& centre) {
@@ -151,15 +156,16 @@ public:
             area2_[turned] = all;
     }
 
-    /// Twice an area, positive if the shown side turns to the right, for show_side.
+    /// The argument of show_side for a triangle: twice an area, positive if the side that the
+    /// triangle shows turns to the right.
     std::int64_t area2(std::size_t triangle) const { return area2_[triangle]; }
 
 private:
     std::array<std::int64_t, 4> area2_{};
 };
 
-/// Calls add(triangle, area2) for the four triangles around the centre of a folded quad. area2
-/// tells which side they show.
+/// Calls add(triangle, area2) for the four triangles around the centre of a folded quad. `area2` is
+/// the argument of show_side, and tells which side of the surface the triangle shows.
 template <class Add>
 void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
     const l3d_micro_vertex centre = projective_centre(v, parallel);
@@ -168,9 +174,9 @@ void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, c
         add(std::array{v[i], v[(i + 1) % v.size()], centre}, sides.area2(i));
 }
 
-/// The bends of a quad's sides and diagonals in mode l3d_shade::levels: the level in the middle,
-/// less the mean of both ends. At the middle of the parameters, the level is the corners' mean,
-/// plus the mean bends of both pairs of opposite sides.
+/// The bends of a quad's sides and diagonals in mode l3d_shade::levels: the level in the middle of
+/// a side or diagonal, less the mean of the levels at its ends. In the middle of the quad's
+/// parameters, the level is the corners' mean, plus the mean bends of both pairs of opposite sides.
 struct quad_bends {
     float ab, ad, bc, dc, ac, bd;
 
@@ -185,8 +191,8 @@ struct quad_bends {
     float both() const { return 0.5f * (ab + dc + ad + bc); }
 };
 
-/// The same as cut_folded, in mode l3d_shade::levels. The bend of half a diagonal is a quarter of
-/// the diagonal's bend.
+/// Cuts a folded quad as cut_folded does, in mode l3d_shade::levels. The bend of half a diagonal is
+/// a quarter of the diagonal's bend.
 template <class Add>
 void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& turns,
                        const Add& add) {
@@ -209,7 +215,7 @@ void cut_folded_levels(const quad_corners& v, bool parallel, const quad_turns& t
 }
 
 /// Cuts a quad, and calls add(triangle, area2) for each triangle. A folded quad is cut by
-/// cut_folded, any other one along its diagonal().
+/// cut_folded, any other quad along its diagonal().
 template <class Add>
 void cut_quad(const quad_corners& v, bool parallel, const quad_turns& turns, const Add& add) {
     if (turns.folded())

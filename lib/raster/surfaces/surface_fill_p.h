@@ -19,8 +19,8 @@
 namespace l3d_detail {
 
 /// A bound for the error of a plane through a polygon's normals: the parts that come from the
-/// polygon's shape and from the change of w. It is the slow twin of the error in normal_lanes. See
-/// NUMERICS, section 24.
+/// polygon's shape and from the change of w. This function is the slow twin of
+/// normal_lanes::note_error. See NUMERICS, section 24.
 ///
 /// Shape:   area2 is the cross product of both diagonals, or of a triangle's first two sides.
 /// Expects: area2 != 0, inv_w > 0.
@@ -71,7 +71,8 @@ public:
             shader_.use_material(index);
     }
 
-    /// Fills a quad of a grid. The grid's members shows_both and is_parallel are handed in.
+    /// Fills a quad of a grid. `shows_both` and `parallel` are the grid's members shows_both and
+    /// is_parallel.
     void quad(quad_corners v, bool shows_both, bool parallel) {
         const quad_turns turns(v);
         if (turns.level())
@@ -178,7 +179,7 @@ private:
         target_.counts.written += written;
     }
 
-    /// Fills rows as fill_row does, some of them at a time.
+    /// Fills rows as fill_row does, some rows at a time in lanes.
     void fill_in_lanes(scan_rows rows, const planes& plane, float farthest, float nearest) {
         wide_polygon of{.planes = plane.view(),
                         .farthest = farthest,

@@ -73,7 +73,8 @@ static_assert(mesa_target::reach == 8192);
 static_assert(static_cast<int>(l3d_shade::gouraud) == 1 &&
               static_cast<int>(l3d_shade::normals) == 3 && static_cast<int>(l3d_shade::error) == 4);
 
-/// Vertices that are gathered before GL gets them. They have 28 bytes each, 1.4 MB in all.
+/// The number of vertices that are gathered before GL gets them. Each has 28 bytes, so a batch has
+/// up to 1.4 MB.
 constexpr std::size_t full_batch = std::size_t{3} << 14;
 
 l3d_micro_vertex mean_normal(std::span<const l3d_micro_vertex> polygon, l3d_micro_vertex corner) {
@@ -146,7 +147,7 @@ void l3d_surface_rasterizer_mesa::add_part(const l3d_surface_part& part) {
     counts_.quads += polygons(part);
 }
 
-/// Sets the material of all vertices that are added from here on.
+/// Sets the material of all vertices that are added after this call.
 void l3d_surface_rasterizer_mesa::set_material(std::uint32_t material) {
     const std::uint32_t word =
         materials().empty() ? l3d_material().color : materials()[material].color;

@@ -13,15 +13,15 @@
 /// Draws surfaces through GL, as a second opinion on every picture. Coverage, interpolation, depth
 /// test and shading language are GL's.
 ///
-/// A convex quad is drawn as two triangles. Its outline is exact. If it is no parallelogram, depth
-/// and shade inside differ a little from the plane that the CPU lays through it.
+/// A convex quad is drawn as two triangles. The quad's outline is exact. If it is no parallelogram,
+/// depth and shade inside differ a little from the plane that the CPU lays through it.
 ///
 /// Positions are exact within 8192 pixels of the middle of the picture. Polygons that reach further
-/// are clipped there, with rounding. The CPU draws pictures larger than GL's largest, and pictures
-/// with several lights or highlights.
+/// are clipped at this distance, with rounding. The CPU draws pictures larger than GL's largest,
+/// and pictures with several lights or highlights.
 /// Units:   as l3d_surface_rasterizer_scalar, and inv_w from 2^-94 to 2^32.
-/// Cost:    drawing gathers polygons. Every batch is drawn twice if pixels are counted, once only
-///          for its samples.
+/// Cost:    drawing gathers polygons. If pixels are counted, every batch is drawn twice: once for
+///          its samples alone, and once for its pixels.
 class l3d_surface_rasterizer_mesa final : public l3d_surface_rasterizer {
 public:
     /// Errors:  l3d_error(no_backend) if this GL does not compile the shaders.
@@ -36,9 +36,9 @@ private:
     const l3d_surface_counts& do_counts() const override;
 
     struct vertex {
-        float position[3];                    ///< x, y in pixels, inv_w
-        float normal[3];                      ///< in mode `error`: red, green, blue
-        std::array<std::uint8_t, 4> material; ///< colour of the material: red, green, blue
+        float position[3]; ///< the vertex's x and y in pixels, and its inv_w
+        float normal[3];   ///< the normal; in mode `error`, the colour's red, green and blue
+        std::array<std::uint8_t, 4> material; ///< red, green and blue of the material
     };
 
     void add_part(const l3d_surface_part& part);
@@ -50,7 +50,8 @@ private:
 
     l3d_detail::mesa_target gl_target_;
     l3d_pixels target_;
-    l3d_depth_buffer own_depth_; ///< used to count covered pixels, without a caller's buffer
+    /// Depths for counting covered pixels, if the caller gave no buffer.
+    l3d_depth_buffer own_depth_;
     l3d_depth_buffer* depth_ = nullptr;
     l3d_shading shading_;
     l3d_surface_counts counts_;
@@ -58,9 +59,10 @@ private:
     std::array<std::uint8_t, 4> color_{}; ///< colour of the next vertices' material
     std::vector<vertex> batch_;
     l3d_size held_size_;
-    bool fits_ = false;    ///< whether GL can hold the picture
-    bool by_cpu_ = false;  ///< whether the CPU draws this frame, as it does not fit or is lit
-    bool cleared_ = false; ///< whether GL's picture is that of this frame
+    bool fits_ = false; ///< whether GL can hold the picture
+    /// Whether the CPU draws this frame, as the picture does not fit or the frame is lit.
+    bool by_cpu_ = false;
+    bool cleared_ = false; ///< whether GL's picture was cleared for this frame
     unsigned query_ = 0;
     l3d_surface_rasterizer_scalar cpu_;
 };

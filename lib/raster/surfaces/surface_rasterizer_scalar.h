@@ -8,8 +8,8 @@
 #include "raster/shaders/material_words_p.h"
 #include "tool_2d/image.h"
 
-/// Fills surfaces without lanes and bands, as the slow twin of l3d_surface_rasterizer_sw. It draws
-/// parts in their given order, each into the whole picture.
+/// Fills surfaces without bands or SIMD lanes, as the slow twin of l3d_surface_rasterizer_sw. It
+/// draws parts in their given order, each into the whole picture.
 ///
 /// Units:   normals of 1e-18 to 1e18 in length; a zero normal gets the ambient grey, and the middle
 ///          grey in mode `normals`.
@@ -34,7 +34,7 @@ private:
     l3d_pixels drawn_; ///< the picture that is drawn into
     l3d_depth_buffer own_depth_;
     l3d_image own_picture_; ///< memory in which parts of pictures are drawn
-    l3d_pixel_box part_;    ///< the part that is copied from there to part_target_; may be empty
+    l3d_pixel_box part_; ///< the part of own_picture_ that is copied to part_target_; may be empty
     l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;
     l3d_surface_counts counts_;

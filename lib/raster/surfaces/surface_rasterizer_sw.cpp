@@ -21,8 +21,9 @@ namespace {
 using namespace l3d_detail;
 
 /// The number of rows in a band. A dozen bands let the workers share a picture. Colour and depth of
-/// a band take no more than half a megabyte. That is all or half of a second-level cache of 2020.
-/// The number of workers has no influence, as counts of what is drawn depend on the bands.
+/// a band take no more than half a megabyte. This is all or half of the second-level cache of a
+/// processor of 2020. The number of workers has no influence, as counts of what is drawn depend on
+/// the bands.
 int rows_of_band(l3d_size size, bool with_normals) {
     constexpr int most_bytes = 512 << 10, bands_wanted = 12;
     const int bytes_of_pixel = 4 + 4 + (with_normals ? 4 : 0);
@@ -32,7 +33,7 @@ int rows_of_band(l3d_size size, bool with_normals) {
     return std::max(std::min(fitting, sharing), tile);
 }
 
-/// The normals' second words, in rows like depths.
+/// The second words of a picture's normals (normal_code), in rows like depths.
 using normal_plane = std::vector<std::uint32_t, line_allocator<std::uint32_t>>;
 
 /// Whether lanes can light pixels of these materials. In mode `flat` a polygon has one normal,
@@ -61,13 +62,18 @@ struct l3d_surface_rasterizer_sw::work_space {
     coarse_depth coarse;
     material_words materials;
     lit_words lights;
-    std::vector<normal_plane> normals;  ///< one of a band for each worker, or one of the picture
-    std::vector<band_painter> painters; ///< one for each worker
-    std::vector<l3d_depth_buffer> worker_depths; ///< depth of a band, if nobody wants it afterwards
-    l3d_depth_buffer kept_depth; ///< depth of a picture that only anti-aliasing wants afterwards
-    std::vector<std::int64_t> covered; ///< in each band, if that is counted
-    l3d_image picture;                 ///< gets the words that are not drawn into the target itself
-    std::vector<const l3d_surface_part*> parts; ///< parts of all draws, for anti-aliasing
+    /// One plane of a band for each worker, or one plane of the picture.
+    std::vector<normal_plane> normals;
+    std::vector<band_painter> painters; ///< a painter for each worker
+    /// Depths of a band for each worker, if nobody wants depths after the frame.
+    std::vector<l3d_depth_buffer> worker_depths;
+    l3d_depth_buffer kept_depth; ///< depths of the picture, if only anti-aliasing wants them
+    /// The number of covered pixels in each band, if they are counted.
+    std::vector<std::int64_t> covered;
+    /// Gets the words of begin_part and begin_over, which are not drawn into the target itself.
+    l3d_image picture;
+    /// The parts of all calls of draw, for anti-aliasing.
+    std::vector<const l3d_surface_part*> parts;
     picture_refiner refiner;
 };
 
@@ -84,7 +90,7 @@ void l3d_surface_rasterizer_sw::begin_work() {
     work_->worker_depths.resize(static_cast<std::size_t>(workers_.count()));
 }
 
-/// Gives memory back if it was made for more than four times the picture's area.
+/// Gives the frame's memory back if it was made for more than four times the picture's area.
 void l3d_surface_rasterizer_sw::fit_memory(l3d_size size) {
     const std::int64_t area = l3d_whole(size).area();
     if (4 * area < largest_area_) {
@@ -111,7 +117,7 @@ void l3d_surface_rasterizer_sw::do_begin(l3d_pixels target, l3d_depth_buffer* de
 }
 
 /// Begins a frame that only smooths the edges of a finished picture. Filling finds the depths that
-/// smoothing needs. Its words go to another picture and are not used.
+/// smoothing needs. The words of filling go to another picture and are not used.
 void l3d_surface_rasterizer_sw::begin_over(l3d_pixels picture, const l3d_shading& shading) {
     begin_frame(shading);
     draw_into_own(picture.size());
@@ -176,7 +182,7 @@ void l3d_surface_rasterizer_sw::start(l3d_depth_buffer* depth, const l3d_shading
         make_room_for_normals();
 }
 
-/// Makes the normals' planes as large as the depths, for the same pixels.
+/// Makes room for the second words of normals, for as many pixels as there are depths.
 void l3d_surface_rasterizer_sw::make_room_for_normals() {
     const l3d_depth_buffer& like = depth_ ? *depth_ : work_->worker_depths.front();
     const auto size =
@@ -284,12 +290,12 @@ fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
             normals};
 }
 
-/// Whether filled words still have to be coloured, or to get fog, before they can be seen.
+/// Whether filled words still have to be coloured, or to get fog, before the picture is shown.
 bool l3d_surface_rasterizer_sw::changes_words() const {
     return (work_->frame.words.has_materials && !is_over()) || work_->frame.shading.fog.is_on();
 }
 
-/// Gives a band's words their colours and their fog. Only tiles that something was drawn to have
+/// Gives a band's words their colours and their fog. Only tiles into which something was drawn have
 /// defined depths. Pixels that were drawn in another way have their colours already.
 void l3d_surface_rasterizer_sw::color_band(const fill_band& band) const {
     const l3d_shading& shading = work_->frame.shading;

@@ -16,7 +16,7 @@ struct fill_band;
 struct plane_cut;
 } // namespace l3d_detail
 
-/// The division of the work into bands. The picture does not depend on it.
+/// The division of the work into bands. The picture does not depend on this division.
 struct l3d_band_settings {
     int rows = 0; ///< rows of pixels in a band, a multiple of 8; 0: as many as fit the cache
     bool leave_out_hidden = true; ///< whether to leave out polygons that are surely hidden
@@ -27,19 +27,20 @@ struct l3d_band_settings {
 ///
 /// Units:   as l3d_surface_rasterizer_scalar, its slow twin.
 /// Lives:   borrows the workers.
-/// Cost:    a frame allocates only where it has more of something than any frame before. In
-///          pictures at least 16 pixels wide, modes lambert, gouraud, flat and levels are filled in
-///          SIMD lanes, all others pixel by pixel. Gouraud and flat cost least. Several lights and
-///          highlights are done in lanes, too, except in flat shading; they take a fifth to a third
-///          more.
+/// Cost:    a frame allocates only where it needs more memory for something than any frame before.
+///          In pictures at least 16 pixels wide, modes lambert, gouraud, flat and levels are filled
+///          in SIMD lanes, all others pixel by pixel. Gouraud and flat cost least. Several lights
+///          and highlights are done in lanes, too, except in flat shading; they take a fifth to a
+///          third more.
 class l3d_surface_rasterizer_sw final : public l3d_surface_rasterizer {
 public:
     explicit l3d_surface_rasterizer_sw(l3d_workers& workers, l3d_band_settings settings = {});
     ~l3d_surface_rasterizer_sw() override;
 
-    /// Starts a frame over a picture that was drawn in another way, from the same parts that draw
-    /// will get. finish adds the shading's fog to it. With anti-aliasing, finish also draws pixels
-    /// at edges again, as means over their squares. All other pixels stay as they are.
+    /// Starts a frame over a picture that was drawn in another way, such as by l3d_painter, from
+    /// the same parts that draw will get. finish adds the shading's fog to the picture. With
+    /// anti-aliasing, finish also draws pixels at edges again: each shows the mean light over its
+    /// square. All other pixels stay as they are.
     /// Expects: the picture outlives the frame, and nobody else writes to it.
     void begin_over(l3d_pixels picture, const l3d_shading& shading);
 
@@ -83,10 +84,10 @@ private:
     l3d_workers& workers_;
     l3d_band_settings settings_;
     std::unique_ptr<work_space> work_;
-    /// Number of pixels of the largest picture that fits the memory.
+    /// Number of pixels of the largest picture for which memory was allocated.
     std::int64_t largest_area_ = 0;
     l3d_pixels target_; ///< the pixels that are filled
-    /// The picture that gets fog and smooth edges: the target, or one drawn already.
+    /// The picture that gets fog and smooth edges: the target, or the picture of begin_over.
     l3d_pixels refined_;
     l3d_pixel_box window_; ///< the drawn part of the target, in whole tiles
     /// The part that is copied from the work space to part_target_; may be empty.

@@ -14,17 +14,19 @@
 namespace l3d_detail {
 
 /// The band that a shader draws into, with the settings for its words.
-/// Lives: borrows the band's pixels and depth; owns the spans.
+/// Lives: borrows the band's pixels and depth; owns the spans of the scan.
 struct surface_target {
     fill_band band{};
     scan_polygon scan;
     fill_counts counts;
     fill_words coding{};
-    std::uint32_t material = 0;      ///< the polygons' material, as fill_words::of_material has it
-    std::span<const plane_cut> cuts; ///< cuts that the polygons' pixels must pass
-    bool by_lanes = false; ///< whether rows are filled in lanes, if the shader can; the same bits
+    std::uint32_t material = 0; ///< the polygons' material, as fill_words::of_material has it
+    /// Cuts that limit the polygons; only pixels that all cuts keep are filled.
+    std::span<const plane_cut> cuts;
+    /// Whether rows are filled in lanes, with the same bits, if the shader can.
+    bool by_lanes = false;
 
-    /// The word that is stored in a pixel for a word of a shader.
+    /// The word that is stored in a pixel for the word that a shader gives.
     std::uint32_t word_of(std::uint32_t shaded) const {
         return coding.has_materials ? (shaded & 0xff) | material : shaded;
     }

@@ -73,8 +73,9 @@ HWY_INLINE hn::Vec<hn::RebindToUnsigned<D>> level_of_intensity(D d, hn::Vec<D> i
     return hn::BitCast(hn::RebindToUnsigned<D>(), hn::ConvertTo(hn::RebindToSigned<D>(), level));
 }
 
-/// Light by the operations of lambert_shader, so that each pixel gets the same bits. That shader
-/// changes the sign of a cosine, and this class that of a product, which gives the same numbers.
+/// Light by the operations of lambert_shader, so that each pixel gets the same bits. The shader
+/// changes the sign of a cosine, and this class the sign of a product, which gives the same
+/// numbers.
 template <class D> class normal_light {
 public:
     using vec = hn::Vec<D>;
@@ -84,7 +85,7 @@ public:
             light_[i] = hn::Set(D(), light[i]);
     }
 
-    /// The light of normals. Those that point `away` from the eye are turned to it.
+    /// The intensity of light for normals. Normals that point `away` from the eye are turned to it.
     HWY_INLINE vec intensity(vec x, vec y, vec z, hn::Mask<D> away) const {
         const D d;
         const vec square = hn::Add(hn::Add(hn::Mul(x, x), hn::Mul(y, y)), hn::Mul(z, z));
@@ -143,7 +144,7 @@ private:
     using word_vec = hn::Vec<word_tag>;
     static constexpr std::int32_t lanes = static_cast<std::int32_t>(hn::MaxLanes(D()));
 
-    /// A row's place in the band, and its numbers at its start.
+    /// A row's place in the band, and its interpolated numbers at its start.
     struct band_row {
         std::uint32_t* words;
         float* depths;
@@ -166,7 +167,7 @@ private:
     };
 
     /// Fills one vector of pixels from column x on. The row's last vector begins where it still
-    /// fits into the picture, and leaves out the pixels before x.
+    /// fits into the picture, and does not write the pixels before x.
     HWY_INLINE std::int64_t fill_vector(const band_row& row, std::int32_t x) const {
         const D d;
         const int_tag di;
@@ -236,12 +237,12 @@ private:
     vec farthest_, nearest_, step_[numbers];
     std::int32_t last_fit_; ///< the last column where a vector fits the picture
     word_vec word_, material_, unit_;
-    vec darkest_, brightest_; ///< intensities
+    vec darkest_, brightest_; ///< the least and the largest intensity
     normal_light<D> light_;
 };
 
-/// The rows that fit into a short vector, and the longer ones. Rows without columns are in neither
-/// list.
+/// The rows of a polygon that fit into a short vector, and its longer rows. Rows without columns
+/// are in neither list.
 struct rows_by_length {
     std::array<std::uint32_t, wide_runs::room> short_ones, long_ones;
     std::size_t shorts, longs;

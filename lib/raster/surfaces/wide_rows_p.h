@@ -15,10 +15,10 @@ namespace l3d_detail {
 /// The way in which a shader makes words from its interpolated numbers, which come after inv_w.
 struct row_light {
     enum class kind {
-        word,   ///< no number: all pixels have `word`
-        held,   ///< one number: the intensity, clamped between darkest and brightest
+        word,   ///< no number: all pixels have the member `word`
+        held,   ///< one number: the intensity, clamped to the range from darkest to brightest
         normal, ///< four numbers: a normal of any length, and its product with the ray from the eye
-        code    ///< three numbers: a normal as in normal_code; two go to the band's normals
+        code    ///< three numbers: a normal as in normal_code; x and y go to the band's normals
     };
 
     kind by = kind::word;
@@ -27,7 +27,8 @@ struct row_light {
     std::array<float, 3> light{}; ///< unit vector to the light
 };
 
-/// Runs of columns [begin, end) in some rows of a polygon. Numbers are counted from column `start`.
+/// Runs of columns [begin, end) in some rows of a polygon. Interpolated numbers are counted from
+/// column `start`.
 ///
 /// Shape: run i is in element i of each array.
 struct wide_runs {
@@ -49,10 +50,11 @@ struct wide_runs {
 struct wide_polygon {
     static constexpr std::size_t most_numbers = 5;
 
-    plane_view planes;               ///< the plane of inv_w, then the planes of other numbers
-    float farthest = 0, nearest = 0; ///< the range to which inv_w is clamped
+    plane_view planes; ///< the plane of inv_w, then the planes of other numbers
+    /// The least and the largest inv_w of the polygon, to which inv_w is clamped.
+    float farthest = 0, nearest = 0;
     row_light light;
-    std::uint32_t unit = 0x010101; ///< the word of grey level 1
+    std::uint32_t unit = 0x010101; ///< the pixel word of grey level 1, without the material
     std::uint32_t material = 0;    ///< the part of a word that tells the material
 };
 

@@ -15,10 +15,10 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The rows of an em: the seven rows of a capital are 0.7 em.
+/// The number of rows of dots in an em: the seven rows of a capital are 0.7 em.
 constexpr int rows_of_em = 10;
 
-/// The width of a dot in letters of some size. It is at least one pixel.
+/// The width of a dot, in pixels, in letters of some size. It is at least 1.
 int pixels_of_dot(int size) {
     return std::max(1, (size + rows_of_em / 2 - 1) / rows_of_em);
 }

@@ -18,13 +18,14 @@
 /// Lines are laid out by the rules of Unicode, also where scripts from right to left stand among
 /// others. HarfBuzz kerns and joins letters. A letter that the font lacks comes from another font
 /// of this machine, if one has it. Otherwise the font's sign for a missing letter is shown, mostly
-/// a box; bytes that are not UTF-8 show it, too. A tab goes to the next multiple of eight blanks.
-/// Other control characters and soft hyphens are invisible.
+/// a box; bytes that are not UTF-8 show this sign, too. A tab goes to the next multiple of eight
+/// blanks. Other control characters and soft hyphens are invisible.
 ///
 /// A font without a file has the built-in face of l3d_draw_text: printable ASCII in whole multiples
 /// of 5 x 7 pixels, from left to right, the same bits on every machine.
 ///
-/// Units:   sizes are the height of the face's em square in pixels; a capital is some 0.7 of it.
+/// Units:   sizes are the height of the face's em square in pixels; a capital is some 0.7 of this
+///          height.
 /// Expects: whole sizes are at least 1. Copies share the letters that they have drawn, so all
 ///          copies belong to one thread.
 /// Cost:    a letter is rendered once for each size and quarter of a pixel, and drawn by
@@ -32,7 +33,7 @@
 ///          some 10 to 100 ms.
 class L3D_PUBLIC l3d_font {
 public:
-    /// Makes a font with the built-in face.
+    /// Makes a font with the built-in face of l3d_draw_text.
     l3d_font();
 
     /// Reads a file that FreeType knows, such as TrueType or OpenType.
@@ -40,8 +41,8 @@ public:
     static std::optional<l3d_font> load(const std::string& file, std::string& why);
 
     /// The face that this machine uses for text. The environment variable L3D_FONT names a file, or
-    /// is "built-in". Without it, the usual places of DejaVu, Noto, Liberation and FreeFont are
-    /// searched. If none is found, the font is the built-in one.
+    /// is "built-in". Without this variable, the usual places of DejaVu, Noto, Liberation and
+    /// FreeFont are searched. If none is found, the font is the built-in one.
     /// Errors:  returns the built-in font if a file cannot be read, and sets `why` to the reason,
     ///          which names the variable and the file.
     static l3d_font of_system(std::string& why);
@@ -52,7 +53,7 @@ public:
     /// The distance from one line of text to the next. Units: pixels.
     int line(int size) const;
 
-    /// The width of a line of text, up to the place where the next letter would begin.
+    /// The width of a line of text, up to the place where a next letter would begin.
     /// Units: whole pixels, rounded up.
     int width(std::string_view text, int size) const;
 
@@ -82,13 +83,14 @@ private:
     std::string name_;
 };
 
-/// The distance from one character to the next, in font pixels. A character is 5 x 7 font pixels.
+/// The distance from one character to the next, in font pixels. A font pixel is a dot of the
+/// built-in face; a character is 5 x 7 of them.
 inline constexpr int l3d_text_advance = 6;
 /// The distance from one line of text to the next, in font pixels.
 inline constexpr int l3d_text_line = 9;
 
-/// Draws one line of text with the built-in face. Its top left corner is (x, y), and each font
-/// pixel is a square of `scale` x `scale` pixels.
+/// Draws one line of text with the built-in face. The line's top left corner is (x, y), and each
+/// font pixel is a square of `scale` x `scale` pixels.
 ///
 /// The text is UTF-8. A character outside of printable ASCII is drawn as a box. Tabs, control
 /// characters and soft hyphens are as in l3d_font::draw. Drawing is clipped to the target.

@@ -10,7 +10,7 @@ class l3d_font::face {
 public:
     struct line_heights {
         int ascent = 0; ///< distance from the top of a line to the base line
-        int line = 0;   ///< distance from one line to the next
+        int line = 0;   ///< distance from the top of a line of text to the top of the next
     };
 
     face() = default;
@@ -20,14 +20,14 @@ public:
 
     virtual line_heights heights(int size) = 0;
 
-    /// The same as l3d_font::width, but not rounded.
+    /// The width of a text in pixels: l3d_font::width before it is rounded.
     virtual double width(std::string_view text, int size) = 0;
 
-    /// The same as l3d_font::draw, but (x, base) is on the base line.
+    /// Draws a line of text as l3d_font::draw does, but (x, base) is the left end of its base line.
     virtual void draw(l3d_rasterizer_2d& rasterizer, int x, int base, std::string_view text,
                       std::uint32_t color, int size) = 0;
 
-    /// The same as l3d_font::outline. Expects: size > 0.
+    /// Adds the outlines of a line of text to a path, as l3d_font::outline does. Expects: size > 0.
     virtual double outline(l3d_path& to, l3d_point_2d base, std::string_view text, double size) = 0;
 };
 

@@ -17,7 +17,7 @@ struct fontconfig_closer {
 };
 template <class T> using unique = std::unique_ptr<T, fontconfig_closer>;
 
-/// The machine's best font with this letter: smooth, upright, and without colours of its own.
+/// The machine's best font with this letter: smooth, not slanted, and without colours of its own.
 unique<FcPattern> best_with(char32_t code) {
     const unique<FcPattern> wanted(FcPatternCreate());
     const unique<FcCharSet> letters(FcCharSetCreate());
@@ -45,7 +45,8 @@ const font_source* font_fallbacks::find(char32_t code) {
     return found->second;
 }
 
-/// Asks fontconfig for a font with a letter. Its nearest font need not have the letter.
+/// Asks fontconfig for a font with a letter. The font that fontconfig finds nearest need not have
+/// the letter, so this is tested.
 const font_source* font_fallbacks::ask(char32_t code) {
     const unique<FcPattern> best = best_with(code);
     FcChar8* file = nullptr;

@@ -11,11 +11,11 @@
 
 namespace l3d_detail {
 
-/// Finds other fonts for letters that a font lacks. It asks fontconfig once for each letter that no
-/// open font has. Before the first such letter, nothing is asked or opened.
+/// Finds other fonts of this machine for letters that a font lacks. It asks fontconfig once for
+/// each letter that no open font has. Before the first such letter, nothing is asked or opened.
 class font_fallbacks {
 public:
-    /// A font that has this letter; null if the machine has none.
+    /// A font that has this letter; null if the machine has no such font.
     const font_source* find(char32_t code);
 
 private:

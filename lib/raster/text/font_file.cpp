@@ -21,7 +21,7 @@
 
 namespace {
 
-/// FreeType counts in 1/64 pixel.
+/// The number of FreeType's units in a pixel.
 constexpr int units = 64;
 
 /// Adds a glyph's outlines to a path. FreeType's y points up.
@@ -51,8 +51,8 @@ glyph_pen& pen_of(void* user) {
     return *static_cast<glyph_pen*>(user);
 }
 
-/// The functions that FreeType calls for the pieces of an outline. It has the same kinds of curves
-/// as l3d_path.
+/// The functions that FreeType calls for the pieces of an outline. FreeType has the same kinds of
+/// curves as l3d_path.
 const FT_Outline_Funcs drawing{
     .move_to =
         [](const FT_Vector* to, void* user) {
@@ -93,15 +93,19 @@ public:
 private:
     /// The coverage of a letter of one size, around its place on the base line.
     struct letter {
-        int left = 0, top = 0; ///< first column and row from that place; top is above, so negative
+        /// Its first column and row, relative to the place on the base line; rows above the line
+        /// are negative.
+        int left = 0, top = 0;
         int width = 0, height = 0;
-        std::vector<std::uint8_t> coverage; ///< row by row
+        /// The coverage of each of the letter's pixels, row by row.
+        std::vector<std::uint8_t> coverage;
     };
     /// Font, glyph, size, and the place's distance from the pixel on its left, in parts of 1 /
     /// `phases`.
     using letter_key = std::tuple<const l3d_detail::font_source*, unsigned, int, int>;
 
-    /// The number of places within a pixel. Letters are at most 1/8 pixel off their own place.
+    /// The number of places within a pixel. Letters are drawn at the nearest of these, so at most
+    /// 1/8 pixel off their place.
     static constexpr int phases = 4;
 
     static FT_Face sized(const l3d_detail::font_source& source, int size) {
@@ -143,7 +147,7 @@ private:
         return found->second;
     }
 
-    /// Draws a letter. If the file cannot draw it, it is as empty as a space.
+    /// Draws a letter. If the file cannot draw the letter, the result is as empty as a space.
     static letter make(const letter_key& key) {
         const auto [source, index, size, phase] = key;
         const FT_Face face = sized(*source, size);
@@ -198,8 +202,9 @@ std::optional<l3d_font> l3d_font::load(const std::string& file, std::string& why
     return l3d_font(std::make_shared<file_face>(std::move(source)), file);
 }
 
-/// The font that L3D_FONT names, or the first of these that the system has, or the built-in one.
-/// Faces with many scripts come first, and the folders are those of Debian, Fedora and Arch Linux.
+/// The font that L3D_FONT names, or the first file of this list that the system has, or the
+/// built-in font. Faces with many scripts come first, and the folders are those of Debian, Fedora
+/// and Arch Linux.
 l3d_font l3d_font::of_system(std::string& why) {
     constexpr std::array places{
         "/usr/share/fonts/truetype/dejavu/DejaVuSans.ttf",

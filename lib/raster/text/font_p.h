@@ -13,12 +13,13 @@
 namespace l3d_detail {
 
 inline constexpr int font_width = 5, font_height = 7;
-inline constexpr int font_first = 32, font_box = 127; ///< space; the sign for unknown characters
+/// Codes of the first character, a space, and of the box that stands for unknown characters.
+inline constexpr int font_first = 32, font_box = 127;
 inline constexpr int font_per_block = 8;
 
 /// The built-in letters: printable ASCII, then the box. There are twelve blocks of eight characters
-/// side by side. A block has a string for each of its seven rows, with a column of space between
-/// characters.
+/// side by side. A block has a string for each of its seven rows of dots, with an empty column
+/// between characters.
 // clang-format off
 inline constexpr std::array<std::string_view, std::size_t{12} * font_height> font_rows{
     // space ! " # $ % & '
@@ -120,8 +121,8 @@ inline constexpr std::array<std::string_view, std::size_t{12} * font_height> fon
 };
 // clang-format on
 
-/// Whether a character has ink at (x, y).
-/// Expects: character in [font_first, font_box]; x and y inside it.
+/// Whether a character of the built-in face has ink in font pixel (x, y).
+/// Expects: character in [font_first, font_box]; x and y inside of the character.
 constexpr bool font_ink(int character, int x, int y) {
     const int index = character - font_first;
     const int row = index / font_per_block * font_height + y;
@@ -129,9 +130,9 @@ constexpr bool font_ink(int character, int x, int y) {
     return font_rows[static_cast<std::size_t>(row)][static_cast<std::size_t>(column)] == '#';
 }
 
-/// Calls visit(character, x) for each character of a text that is drawn, x in font pixels from the
-/// text's beginning. A tab goes to the next multiple of eight characters.
-/// Returns: the x of a next character.
+/// Calls visit(character, x) for each character of a text that is drawn. x counts font pixels from
+/// the text's beginning. A tab goes to the next multiple of eight characters.
+/// Returns: the x at which a next character would begin.
 template <class Visit> int visit_characters(std::string_view text, const Visit& visit) {
     constexpr int tab = 8 * l3d_text_advance;
     int x = 0;

@@ -20,7 +20,8 @@ struct harfbuzz_closer {
 };
 template <class T> using owned = std::unique_ptr<T, harfbuzz_closer>;
 
-/// Opens a font for HarfBuzz, in its own units. Null for formats whose glyphs cannot be found here.
+/// Opens a font for HarfBuzz, in its own units. Returns null for formats in which HarfBuzz finds no
+/// glyphs.
 hb_font_t* harfbuzz_font(const std::string& file, long index) {
     const owned<hb_blob_t> blob(hb_blob_create_from_file_or_fail(file.c_str()));
     if (!blob)

@@ -17,7 +17,7 @@ namespace l3d_detail {
 
 /// A glyph and its place on the base line. Units: font units, y up.
 struct shaped_glyph {
-    unsigned index = 0; ///< number in the file; 0 is the sign for a missing letter
+    unsigned index = 0; ///< the glyph's number in the font file; 0 is the sign for a missing letter
     double x = 0, y = 0;
 };
 
@@ -30,18 +30,19 @@ struct text_run {
     bool right_to_left = false;
 };
 
-/// One face of a font file. All calls come from one thread.
+/// One face of a font file: it finds the glyphs of texts and their places. All calls come from one
+/// thread.
 class font_source {
 public:
-    /// Opens a file.
+    /// Opens a font file. `index` is the number of the face in a file with several faces.
     /// Errors:  returns null, and sets `why` to the reason, which names the file.
     static std::unique_ptr<font_source> open(const std::string& file, long index, std::string& why);
 
     FT_Face face() const { return face_.get(); }
     bool has(char32_t code) const { return FT_Get_Char_Index(face_.get(), code) != 0; }
 
-    /// Adds the run's glyphs from left to right. HarfBuzz does kerning, ligatures and scripts that
-    /// join their letters. Formats older than OpenType use their kern table.
+    /// Adds the run's glyphs to `glyphs`, from left to right. HarfBuzz does kerning, ligatures and
+    /// scripts that join their letters. Formats older than OpenType use their kern table.
     /// Returns: the place where a next glyph would begin.
     double shape(const text_run& run, std::vector<shaped_glyph>& glyphs) const;
     double shape_by_table(const text_run& run, std::vector<shaped_glyph>& glyphs) const;
@@ -57,8 +58,8 @@ private:
     font_source() = default;
 
     unique<FT_Library> library_;
-    unique<FT_Face> face_;      ///< declared after its library, so closed before it
-    unique<hb_font_t*> shapes_; ///< null if HarfBuzz finds no glyphs in the format
+    unique<FT_Face> face_;      ///< declared after FreeType's library, and so closed before it
+    unique<hb_font_t*> shapes_; ///< null if HarfBuzz finds no glyphs in the file's format
 };
 
 } // namespace l3d_detail

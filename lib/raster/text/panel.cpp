@@ -12,7 +12,7 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The smallest size of letters: one cannot tell smaller ones apart. Units: pixels.
+/// The smallest size of letters, as nobody can tell smaller letters apart. Units: pixels.
 constexpr int smallest_size = 8;
 constexpr int most_columns = 3;
 
@@ -50,7 +50,7 @@ void draw_scale(l3d_rasterizer_2d& rasterizer, const l3d_pixel_box& box,
                              color_at(colors, static_cast<double>(x - box.left) / last));
 }
 
-/// Rows in the form that the layout takes. They borrow the texts.
+/// A panel's rows in the form that panel_layout takes. They borrow the rows' texts.
 template <class Rows> std::vector<panel_row> laid_out(const Rows& rows) {
     std::vector<panel_row> result;
     for (const auto& r : rows)
@@ -123,8 +123,8 @@ std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key
     return {*this};
 }
 
-/// Divides the panel into several ones of equally many rows. A last line in each names the key that
-/// leads on.
+/// Divides the panel into `count` panels of equally many rows. A last line in each new panel names
+/// the key that shows the next one.
 std::vector<l3d_panel> l3d_panel::divided(std::size_t count, const std::string& key) const {
     if (count == 1)
         return {*this};

@@ -15,12 +15,12 @@
 #include <string>
 #include <vector>
 
-/// The looks of panels. Units: colours are pixel words.
+/// The look of a panel: its letters and colours. Units: colours are pixel words.
 struct L3D_PUBLIC l3d_panel_style {
     /// The letters of all text.
     l3d_font font{};
 
-    /// The height of letters in pixels. Letters become smaller where these do not fit.
+    /// The height of letters in pixels. Where letters of this size do not fit, they become smaller.
     int size = 14;
 
     /// The colour of lines.
@@ -40,8 +40,8 @@ struct L3D_PUBLIC l3d_panel_style {
     static constexpr int opaque = 255;
 
     /// The height of letters that suits a picture: a fiftieth of its height, but from 12 to 16
-    /// pixels, times l3d_screen::text_scale. It is at most a sixteenth of the height, to leave room
-    /// for a dozen lines.
+    /// pixels, times l3d_screen::text_scale. It is at most a sixteenth of the picture's height, to
+    /// leave room for a dozen lines.
     static int size_for(l3d_size picture, double text_scale = 1);
 };
 
@@ -63,10 +63,11 @@ public:
     /// Adds a line, or several that \n divides. The text is UTF-8.
     void add(const std::string& text) { add({}, text); }
 
-    /// Adds lines with a word before the first, such as a key. These words form a column.
+    /// Adds lines of text with a word before the first line, such as a key's name. The words of all
+    /// lines form a column.
     void add(const std::string& key, const std::string& text);
 
-    /// Adds a title: lines that begin at the left, in the column of keys.
+    /// Adds a title: lines that begin at the left, in the column of these words.
     void add_title(const std::string& text);
 
     /// Adds a scale: a bar of colours that pass into each other, with a text under each end.
@@ -82,15 +83,15 @@ public:
     bool empty() const { return rows_.empty(); }
 
     /// Divides the lines among as few panels as possible, each of which leaves half of the picture
-    /// free. If there are several, each says that `key` shows the next. Panels of only a few lines
-    /// may still cover more than half. All panels have the same height of letters: the style's, or
-    /// the largest that fits. A very small picture, where the smallest letters leave no room for a
-    /// few lines, gets one panel.
+    /// free. If there are several, each panel says that the key named `key` shows the next. Panels
+    /// of only a few lines may still cover more than half of the picture. All panels have the same
+    /// height of letters: the style's, or the largest that fits. A very small picture, where the
+    /// smallest letters leave no room for a few lines, gets one panel.
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
 
-    /// The box that draw() would cover in a free part of a picture. It is empty if the panel does
-    /// not fit there with letters of the style's size.
+    /// The box that draw() would cover in a free part of a picture. The box is empty if the panel
+    /// does not fit into `free` with letters of the style's size.
     l3d_pixel_box box_in(const l3d_pixel_box& free, l3d_corner corner,
                          const l3d_panel_style& style) const;
 
@@ -106,7 +107,7 @@ private:
     friend class panel_layout;
     struct row {
         std::string key, text;
-        std::vector<l3d_color> colors; ///< colours of a scale; else empty
+        std::vector<l3d_color> colors; ///< the colours, if the row is a scale; else empty
         bool is_title = false;
     };
 

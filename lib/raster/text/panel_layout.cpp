@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::string_view soft_hyphen_bytes = "\xc2\xad";
 
-/// The number of bytes of a text that fit into a width. It counts whole characters, at least one.
+/// The number of bytes of a text that fit into a width. The number covers whole characters, at
+/// least one.
 std::size_t fitting(const l3d_font& font, std::string_view text, int size, int width) {
     std::vector<std::size_t> ends; // end of each character
     for (std::string_view rest = text; !rest.empty();) {
@@ -27,14 +28,14 @@ std::size_t fitting(const l3d_font& font, std::string_view text, int size, int w
     return beyond == ends.begin() ? ends.front() : *std::prev(beyond);
 }
 
-/// A place where a line may end, and the text that it shows there.
+/// A place where a line may end, and the text of the line up to this place.
 struct line_end {
-    std::size_t end = 0; ///< 0 for none
+    std::size_t end = 0; ///< index behind the last byte of the line; 0 for none
     bool has_hyphen = false;
 };
 
-/// Finds the last place before another one where a line may end: a blank, or a soft hyphen if a
-/// hyphen still fits.
+/// Finds the last place before another one where a line may end: a blank, or a soft hyphen if the
+/// line still has room for a hyphen.
 line_end last_end(const l3d_font& font, std::string_view text, int size, int width,
                   std::size_t before) {
     const std::size_t space = text.rfind(' ', before);
@@ -76,7 +77,7 @@ int panel_layout::key_width_of(std::span<const panel_row> rows) const {
     return most;
 }
 
-/// The width of the rows' texts if they are wrapped to `most` pixels.
+/// The width of the widest line if the rows' texts are wrapped to `most` pixels.
 int panel_layout::text_width_of(std::span<const panel_row> rows, int most) const {
     const int key_width = key_width_of(rows);
     int width = 0;
@@ -122,8 +123,8 @@ void panel_layout::add_row(std::size_t row, int x, int key_width, int text_width
     }
 }
 
-/// The width of the widest piece that must not be torn apart: a word in rows, or part of a word up
-/// to a soft hyphen.
+/// The width of the widest piece that must not be torn apart: a word of the rows' texts, or the
+/// part of a word up to a soft hyphen.
 int panel_layout::word_width_of(std::span<const panel_row> rows) const {
     int most = 0;
     for (const panel_row& r : rows)
@@ -154,7 +155,7 @@ int panel_layout::add_column(std::size_t first, std::size_t end, int x, int most
     return x + key_width + text_width;
 }
 
-/// Lays out all rows in columns that are at most that wide.
+/// Lays out all rows in columns that are at most `most_width` wide.
 void panel_layout::add_columns(std::size_t columns, int most_width) {
     lines_.clear();
     lowest_ = 0;
@@ -168,8 +169,8 @@ void panel_layout::add_columns(std::size_t columns, int most_width) {
     size_ = {right + padding(), lowest_ + padding()};
 }
 
-/// Lays out the rows, and returns whether they fit. Columns are as wide as their lines if that
-/// fits, else all get the same width.
+/// Lays out the rows, and returns whether they fit into `most`. Columns are as wide as their lines
+/// if such columns fit, else all columns get the same width.
 bool panel_layout::make(int size, int columns, l3d_size most) {
     letter_size_ = size;
     const int inside = most.width - 2 * padding() - 2 * (columns - 1) * gap();

@@ -14,11 +14,12 @@
 
 namespace l3d_detail {
 
-/// A row as the caller added it.
+/// A row of a panel as the panel's caller added it, before it is wrapped into lines.
 struct panel_row {
-    std::string_view key, text; ///< for a scale: the texts at its ends
+    /// The word before the text, and the text; for a scale: the texts at its ends.
+    std::string_view key, text;
     bool is_scale = false;
-    bool is_title = false; ///< whether it takes the column of keys, too
+    bool is_title = false; ///< whether the row begins at the left, in the column of keys
 };
 
 /// A piece of text, or the bar of a scale. Units: pixels from the panel's top left corner.
@@ -26,8 +27,8 @@ struct panel_line {
     int x = 0, y = 0;
     std::string text;
     bool is_key = false;
-    int scale_width = 0; ///< width of the bar
-    std::size_t row = 0; ///< index of the row that it belongs to
+    int scale_width = 0; ///< width of the bar; 0 for a piece of text
+    std::size_t row = 0; ///< index of the row that the line belongs to
 };
 
 /// Breaks a text into lines no wider than `width`: at spaces and soft hyphens, else between
@@ -41,11 +42,12 @@ public:
     panel_layout(const l3d_font& font, std::span<const panel_row> rows)
         : font_(font), rows_(rows) {}
 
-    /// Lays out all rows in columns, with letters of this size. Returns false if they do not fit,
-    /// or a word must be broken.
+    /// Lays out all rows in columns, with letters of this size. Returns false if the columns do not
+    /// fit into `most`, or a word must be broken.
     bool make(int size, int columns, l3d_size most);
 
-    /// Removes the lines that do not fit from the last layout, and adds three dots in their place.
+    /// Removes the lines from the last layout that do not fit into `most`, and adds three dots in
+    /// their place.
     void cut(l3d_size most);
 
     const std::vector<panel_line>& lines() const { return lines_; }
@@ -75,7 +77,7 @@ private:
     l3d_size size_;
     int letter_size_ = 1;
     int lowest_ = 0;       ///< the lower end of the longest column
-    bool is_torn_ = false; ///< whether a word does not fit into its column
+    bool is_torn_ = false; ///< whether a word is wider than its column
 };
 
 } // namespace l3d_detail

@@ -20,7 +20,7 @@ bool is_blank(char32_t code) {
     return code == U' ' || code == U'\t';
 }
 
-/// Whether a character has no form of its own and belongs to the one before it.
+/// Whether a character has no form of its own and belongs to the character before it.
 bool is_joined(char32_t code) {
     switch (hb_unicode_general_category(hb_unicode_funcs_get_default(), code)) {
     case HB_UNICODE_GENERAL_CATEGORY_FORMAT:
@@ -58,7 +58,8 @@ const shaped_line& text_shaper::shape(std::string_view text) {
 }
 
 /// Finds the level of nesting of each character, which is odd from right to left. Source: Unicode
-/// Standard Annex #9. Its rule L1, for blanks before tabs and at the end, is here.
+/// Standard Annex #9. This function also applies the annex's rule L1, for blanks before tabs and at
+/// the end.
 void text_shaper::find_levels() {
     levels_.assign(text_.size(), 0);
     if (std::ranges::all_of(text_, [](char32_t c) { return c < first_right_to_left; }))
@@ -82,8 +83,8 @@ void text_shaper::find_levels() {
     }
 }
 
-/// Finds the script of each character. Blanks, digits and marks are of the script before them, or
-/// of the first one.
+/// Finds the script of each character. Blanks, digits and marks take the script of the letter
+/// before them, or the text's first script.
 void text_shaper::find_scripts() {
     scripts_.resize(text_.size());
     std::ranges::transform(text_, scripts_.begin(), [](char32_t code) {
@@ -96,9 +97,9 @@ void text_shaper::find_scripts() {
         last = script = is_shared(script) ? last : script;
 }
 
-/// Finds the font of each character: the first one if it has the letter, else another one that has
-/// it. If none has it, the first one shows its sign for missing letters. Characters without a form
-/// of their own stay with the letter before them.
+/// Finds the font of each character: the first font if it has the letter, else another font that
+/// has it. If no font has it, the first font shows its sign for missing letters. Characters without
+/// a form of their own stay with the letter before them.
 void text_shaper::find_sources() {
     sources_.assign(text_.size(), &first_);
     for (std::size_t i = 0; i < text_.size(); ++i) {
@@ -110,8 +111,8 @@ void text_shaper::find_sources() {
     }
 }
 
-/// The runs from left to right. For each level from the deepest on, it reverses all sequences of
-/// runs that are at least that deep: rule L2.
+/// The runs from left to right. Rule L2 of the annex gives this order: for each level of nesting
+/// from the deepest on, it reverses all sequences of runs that are at least as deep.
 std::vector<text_shaper::run> text_shaper::runs_from_left() const {
     std::vector<run> runs;
     for (std::size_t i = 0; i < text_.size(); ++i) {

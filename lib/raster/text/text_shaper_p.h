@@ -14,15 +14,15 @@
 
 namespace l3d_detail {
 
-/// A glyph, and which of the line's fonts has it. Units: those of the line's first font.
+/// A glyph of a line, and the font that has the glyph. Units: font units of the line's first font.
 struct placed_glyph : shaped_glyph {
     const font_source* source = nullptr;
 };
 
-/// A line of glyphs from left to right. Units: those of its first font.
+/// A line of glyphs from left to right. Units: font units of its first font.
 struct shaped_line {
     std::vector<placed_glyph> glyphs;
-    double width = 0; ///< the place where a next letter would begin
+    double width = 0; ///< the line's width: the place where a next letter would begin
 };
 
 /// Lays out lines of text: directions by the Unicode algorithm, letters by HarfBuzz, and letters
@@ -31,7 +31,8 @@ struct shaped_line {
 /// A tab goes to the next multiple of eight blanks. Other control characters and soft hyphens are
 /// left out. If a line begins with a script from right to left, the whole line has that direction.
 /// Lives:   borrows the first font.
-/// Cost:    a line is laid out once, if no more than `most_lines` others come in between.
+/// Cost:    a line is laid out once, if no more than `most_lines` other lines come between its
+///          uses.
 class text_shaper {
 public:
     explicit text_shaper(const font_source& first) : first_(first) {}
@@ -40,14 +41,14 @@ public:
     const shaped_line& shape(std::string_view text);
 
 private:
-    /// The number of lines that are kept. Help has some dozens of lines, each of which is tried in
-    /// some widths.
+    /// The number of lines whose layouts are kept. Help has some dozens of lines, each of which is
+    /// tried in some widths.
     static constexpr std::size_t most_lines = 1024;
 
-    /// A run of text, and the font with its letters; null for a tab.
+    /// A run of text, and the font that has its letters; the font is null for a tab.
     struct run : text_run {
         const font_source* source = nullptr;
-        unsigned level = 0; ///< nesting of directions: odd from right to left
+        unsigned level = 0; ///< depth of nested directions; odd: the run goes from right to left
     };
 
     void find_levels();

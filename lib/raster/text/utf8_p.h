@@ -53,9 +53,9 @@ inline char32_t take_character(std::string_view& text) {
 /// The character that marks where a word may be broken.
 inline constexpr char32_t soft_hyphen = 0xad;
 
-/// Whether a character is invisible in a line: a control character other than the tab, an end of a
-/// line or paragraph, or a soft hyphen. Code that breaks a line at a soft hyphen shows a
-/// hyphen there.
+/// Whether a character is invisible in a line: a control character other than the tab, a sign that
+/// ends a line or paragraph, or a soft hyphen. Code that breaks a line at a soft hyphen shows a
+/// hyphen in its place.
 constexpr bool is_unseen(char32_t code) {
     const bool is_control = code < 0x20 || (code >= 0x7f && code < 0xa0);
     return (is_control && code != U'\t') || code == soft_hyphen || code == 0x2028 || code == 0x2029;

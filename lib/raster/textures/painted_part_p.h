@@ -45,27 +45,30 @@ struct picture_map {
     }
 };
 
-/// The same map in floats, relative to some parameters. Shape: u and v of the picture.
+/// A picture_map in floats, for parameters relative to some parameters of the patch. Shape: u and v
+/// of the texture's picture.
 ///
-/// Cost: floats round parameters by 2^-24 of the patch. It counts only where a patch repeats a
-///       picture more often than pixels could show.
+/// Cost: floats round parameters by 2^-24 of the patch. This rounding is seen only where a patch
+///       repeats a picture more often than pixels could show.
 struct near_map {
     std::array<float, 2> at{}, along_u{}, along_v{}, along_both{};
 };
 
-/// A part of a patch. Each of its quads and triangles has a name of its own: quads by their places
-/// in the grid, and triangles behind them.
+/// A part of a patch that is painted with a texture. Each of its quads and triangles has a name of
+/// its own: a number in place of a material's. Names rise with the quads' places in the grid, and
+/// triangles follow the quads.
 /// Lives: borrows part, parameters and texture.
 struct painted_part {
-    std::uint32_t first = 0;    ///< name of the quad at index 0
-    std::uint32_t material = 0; ///< index of its material among the frame's
+    std::uint32_t first = 0;    ///< the name of the quad at index 0
+    std::uint32_t material = 0; ///< the index of the part's material among the frame's
     const l3d_surface_part* part = nullptr;
     /// Parameters of the grid's first vertex, to which `near` and `parameters` are relative.
     l3d_patch_parameters origin;
     near_map near;
-    std::size_t columns = 0, rows = 0; ///< indices of the first parameters of columns and of rows
+    /// Indices, in painted_parts::parameters, of the columns' and the rows' first parameters.
+    std::size_t columns = 0, rows = 0;
     std::array<std::span<const l3d_patch_parameters>, 3>
-        triangles; ///< parameters of the triangles, for each corner
+        triangles; ///< the parameters of the triangles' corners
     const l3d_texture* texture = nullptr;
     picture_map map;
 
@@ -75,11 +78,11 @@ struct painted_part {
     }
 };
 
-/// All painted parts of a frame, in the order of their names. More may be added until the frame is
-/// coloured.
+/// All painted parts of a frame, in the order of their names. More parts may be added until the
+/// frame is coloured.
 struct painted_parts {
     std::vector<painted_part> all;
-    std::vector<float> parameters; ///< columns and rows of all grids
+    std::vector<float> parameters; ///< the parameters of the columns and rows of all grids
 
     void clear() {
         all.clear();
@@ -87,7 +90,7 @@ struct painted_parts {
     }
 
     /// Adds a part whose grid's columns and rows have these parameters.
-    /// Expects: all but origin, near, columns and rows are set.
+    /// Expects: all members of the part but origin, near, columns and rows are set.
     void add(painted_part of, std::span<const double> u, std::span<const double> v);
 
     /// Whether a name belongs to one of these parts.

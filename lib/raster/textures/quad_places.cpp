@@ -23,7 +23,7 @@ HWY_INLINE float_vec difference(float_vec a, float_vec b, float_vec c, float_vec
     return hn::Sub(hn::Mul(a, b), hn::Mul(c, d));
 }
 
-/// A bilinear function that is 0 at (0, 0).
+/// A bilinear function of s and t in each lane, which is 0 at (0, 0).
 struct bilinear {
     float_vec s, t, st;
 
@@ -33,15 +33,15 @@ struct bilinear {
     HWY_INLINE float_vec along_s(float_vec at_t) const { return hn::Add(s, hn::Mul(at_t, st)); }
     HWY_INLINE float_vec along_t(float_vec at_s) const { return hn::Add(t, hn::Mul(at_s, st)); }
 
-    /// This function, less `factor` times another one.
+    /// This function, less `factor` times another function.
     HWY_INLINE bilinear less(float_vec factor, const bilinear& other) const {
         return {hn::Sub(s, hn::Mul(factor, other.s)), hn::Sub(t, hn::Mul(factor, other.t)),
                 hn::Sub(st, hn::Mul(factor, other.st))};
     }
 };
 
-/// A step of Newton's method. It has the offset of (w x, w y) at (s, t) from w times the pixel's
-/// place. It also has the derivatives of this offset by s and t, and the inverse of their
+/// A step of Newton's method. It holds the offset of (w x, w y) at (s, t) from w times the pixel's
+/// place. It also holds the derivatives of this offset by s and t, and the inverse of their
 /// determinant.
 struct lane_map {
     float_vec dx, dy, x_s, x_t, y_s, y_t, over;
@@ -66,13 +66,13 @@ HWY_INLINE float_vec between(float_vec v, float least, float most) {
 /// A quad: x, y, w and the places in the texture as bilinear functions of s and t from 0 to 1. x
 /// and y are multiplied by w. At (0, 0), w is 1, and x and y are 0.
 struct lane_quad {
-    float_vec left, top; ///< from the corner at (0, 0) to the pixel
+    float_vec left, top; ///< the way from the quad's corner at (0, 0) to the pixel
     bilinear x, y, w;
-    float_vec places[2]; ///< in the texture, at (0, 0)
-    bilinear ways[2];    ///< changes of the places from (0, 0)
+    float_vec places[2]; ///< the place in the texture at (0, 0)
+    bilinear ways[2];    ///< the change of this place from (0, 0) to (s, t)
 
-    /// Sets x, y and w from the corners at (0, 0), (1, 0), (0, 1) and (1, 1). The last one of a
-    /// triangle is not used.
+    /// Sets x, y and w from the corners at (0, 0), (1, 0), (0, 1) and (1, 1). A triangle's last
+    /// corner is not used.
     /// Shape: `xs` and `ys` are relative to the first corner.
     HWY_INLINE void set_corners(const float_vec (&xs)[4], const float_vec (&ys)[4],
                                 const float_vec (&inv_w)[4], bool is_triangle) {
@@ -96,8 +96,8 @@ struct place_rows {
     float *u, *v, *u_right, *v_right, *u_down, *v_down;
 };
 
-/// Finds the places that pixels show, and the changes to the next pixels. Those outside of `shown`
-/// get changes of 0.
+/// Finds the places of the texture that pixels show, and the changes to the next pixels. Pixels
+/// outside of `shown` get changes of 0.
 HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<floats> shown, const place_rows& to) {
     const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
     float_vec s = set(0.5F), t = set(0.5F);
@@ -172,7 +172,8 @@ public:
     }
 
 private:
-    /// Converts places to pixels. They are less than 2^15 pixels, so floats hold them.
+    /// Converts places from 1/256 pixel to pixels. Places are below 2^15 pixels, so floats hold
+    /// them exactly.
     static HWY_INLINE float_vec pixels_of(int_vec place) {
         return hn::Mul(hn::ConvertTo(floats(), place), set(1.0F / l3d_subpixel_one));
     }
@@ -285,8 +286,9 @@ L3D_SIMD_TABLE(put_triangle_place);
 
 namespace {
 
-/// The map relative to some parameters. Places are moved by whole periods of the texture, which
-/// changes nothing that is seen. Then floats hold fractions of its pixels.
+/// The map from parameters to the texture, relative to the parameters `origin`. Places are moved by
+/// whole periods of the texture, which changes nothing that is seen. So floats can hold fractions
+/// of the texture's pixels.
 near_map map_about(const picture_map& map, const l3d_patch_parameters& origin,
                    const l3d_texture& texture) {
     const picture_map::place at = map.at(origin);

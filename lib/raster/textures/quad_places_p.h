@@ -15,23 +15,27 @@ namespace l3d_detail {
 /// A run of pixels that show one part or nothing, as find_quad_places finds it.
 struct part_run {
     std::size_t end = 0;
-    bool has_triangles = false; ///< whether some pixels show a triangle, and have no place yet
+    /// Whether some pixels of the run show a triangle; these have no place yet.
+    bool has_triangles = false;
 };
 
-/// Finds the place in the picture for each pixel of the run from `begin` on, and the steps to the
-/// next pixels. A pixel beside a quad gets the place of the nearest side; where nothing is shown,
-/// steps are 0. The bits are the same on every processor.
-/// Expects: the pixel at `begin` shows the part; `parameters` of all parts.
+/// Finds the place in the texture's picture for each pixel of the run from `begin` on, and the
+/// steps from there to the places of the next pixels. A pixel beside a quad gets the nearest place
+/// on the quad's sides; where nothing is shown, steps are 0. The bits are the same on every
+/// processor.
+/// Expects: the pixel at `begin` shows the part; `parameters` is painted_parts::parameters.
 part_run find_quad_places(const painted_part& part, const float* parameters,
                           const named_pixels& from, std::size_t begin, painted_pixels& pixels);
 
-/// The same for a pixel that shows triangle number `triangle` of the part, taken as half of a quad.
+/// Finds the place in the texture's picture, and the steps, for one pixel that shows triangle
+/// number `triangle` of the part. The triangle is taken as half of a quad. `pixel` is the pixel's
+/// index in `pixels`.
 /// Units: pixels from the picture's top left corner.
 void find_triangle_place(const painted_part& part, std::size_t triangle, double x, double y,
                          std::size_t pixel, painted_pixels& pixels);
 
-/// A triangle that a pixel shows. x, y, and the pixel's `left` and `top` are relative to the first
-/// corner. `places` are the corners' places in the texture's picture.
+/// A triangle that a pixel shows. x, y, and the pixel's `left` and `top` are relative to the
+/// triangle's first corner. `places` are the corners' places in the texture's picture.
 struct seen_triangle {
     float left, top;
     std::array<float, 3> x, y, inv_w;

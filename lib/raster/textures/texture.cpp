@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t channels = 3;
 
-/// A picture in floats, from which the next smaller one is made.
+/// A picture as amounts of light in floats, from which the next smaller copy is made.
 struct float_picture {
     int width = 0, height = 0;
     std::vector<float> light;
@@ -28,8 +28,8 @@ struct float_picture {
     }
 };
 
-/// Calls add(from, weight) for those of `size` pixels that pixel `at` of the `smaller` ones covers.
-/// A weight is the covered share of the smaller picture's pixel.
+/// Calls add(from, weight) for those of `size` pixels along an axis that pixel `at` covers, if
+/// there are only `smaller` pixels. A weight is the covered share of the smaller picture's pixel.
 template <class Add> void visit_covered(int at, int smaller, int size, const Add& add) {
     // In these units, a pixel of the smaller picture is `size` wide, and one of the larger picture
     // `smaller`.
@@ -53,7 +53,8 @@ std::uint32_t packed(const float* light) {
     return word;
 }
 
-/// The index of the pixel that is seen at a place up to one pixel beyond the picture's borders.
+/// The index, along one axis, of the picture's pixel that is seen at a place up to one pixel beyond
+/// the borders.
 int held(int at, int size, l3d_texture_wrap wrap) {
     return wrap == l3d_texture_wrap::repeat ? (at + size) % size : std::clamp(at, 0, size - 1);
 }

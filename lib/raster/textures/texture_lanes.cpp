@@ -22,8 +22,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The largest width of a footprint, in pixels of the texture. It is beyond any picture's, and its
-/// square is still a float.
+/// The largest width of a footprint, in pixels of the texture. It is larger than the width of any
+/// picture, and its square is still a float.
 constexpr float widest = 0x1p60F;
 
 /// Wraps places along one axis, so that they lie from 0 to 1, the picture's borders.
@@ -42,8 +42,8 @@ HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     }
 }
 
-/// The two pixels beside places along one axis: the first, and the share of the second. Both may
-/// lie in the border of one pixel around the level.
+/// The two pixels beside places along one axis: the index of the first, and the share of the second
+/// in the colour. Both pixels may lie in the border of one pixel around the mip level.
 struct neighbours {
     int_vec first;
     float_vec share;
@@ -82,18 +82,18 @@ struct light_sums {
         }
     }
 
-    /// The sum of a channel, 1 for the light of a level of 255.
+    /// The sum of a channel's light; 1 is the light of white.
     HWY_INLINE float_vec light(std::size_t channel) const {
         const auto most = static_cast<float>((1 << texture_view::bits[channel]) - 1);
         return hn::Mul(of[channel], set(1 / (most * most)));
     }
 };
 
-/// Widths, heights and first pixels of levels.
+/// The width, height and first pixel of a mip level in each lane.
 struct lane_levels {
     int_vec width, height, first;
 
-    /// The level of the whole picture.
+    /// In all lanes, the mip level of the whole picture.
     HWY_INLINE explicit lane_levels(const texture_view& texture)
         : width(set(texture.width)), height(set(texture.height)), first(set(texture.first[0])) {}
 
@@ -122,12 +122,12 @@ HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of,
     to.add(lower.second, lower_right);
 }
 
-/// Two neighbouring levels for a footprint: one whose pixels are not wider than it, and the next
-/// smaller picture.
+/// Two neighbouring mip levels for the footprint of a pixel in each lane. The pixels of the larger
+/// one are not wider than the footprint, and the other one is the next smaller copy.
 class level_pair {
 public:
-    /// In the width as a float, the exponent is the number of the larger level, and the mantissa
-    /// tells the share of the smaller one.
+    /// In the width as a float, the exponent is the number of the larger mip level, and the
+    /// mantissa tells the share of the smaller one.
     HWY_INLINE level_pair(const texture_view& texture, float_vec width) : texture_(texture) {
         const float_vec held_width = hn::Min(hn::Max(width, set(1.0F)), set(widest));
         const int_vec bits = hn::BitCast(ints(), held_width), one = hn::BitCast(ints(), set(1.0F));
@@ -167,8 +167,8 @@ HWY_INLINE void add_nearest(const texture_view& texture, float_vec u, float_vec 
     to.add(hn::GatherIndex(ints(), words_of(texture), place), set(1.0F));
 }
 
-/// The steps in the texture from a pixel to those on its right and below. Units: pixels of the
-/// texture.
+/// The part of the texture that a pixel covers: the steps in the texture to the places of the next
+/// pixels on the right and below. Units: pixels of the texture.
 struct footprint {
     float_vec right_u, right_v, down_u, down_v;
 
@@ -193,8 +193,8 @@ struct footprint {
 /// Adds several samples along the longer axis of a pixel's footprint.
 ///
 /// The linear map from the picture's pixels to the texture's maps a circle to an ellipse. The
-/// ellipse's half axes are as long as the map's singular values. The longer one is an eigenvector
-/// of the map times its transpose.
+/// ellipse's half axes are as long as the map's singular values. The longer half axis is an
+/// eigenvector of the map times its transpose.
 HWY_INLINE void add_anisotropic(const texture_view& texture, const footprint& of, float_vec u,
                                 float_vec v, light_sums& to) {
     const float_vec zero = hn::Zero(floats()), one = set(1.0F), half = set(0.5F);
@@ -317,8 +317,8 @@ void take_names(const std::uint32_t* words, const float* depths, std::size_t cou
         to.names[i] = depths[i] > 0 ? words[i] >> 8 : no_name;
 }
 
-/// The product of a level and a channel, divided by 255 and rounded: with x the product plus 128,
-/// it is (x + floor(x / 256)) / 256.
+/// The product of a grey level and a colour's channel, divided by 255 and rounded: with x the
+/// product plus 128, it is (x + floor(x / 256)) / 256.
 HWY_INLINE int_vec product_over_255(int_vec a, int_vec b) {
     const int_vec x = hn::Add(hn::Mul(a, b), set(128));
     return hn::ShiftRight<8>(hn::Add(x, hn::ShiftRight<8>(x)));

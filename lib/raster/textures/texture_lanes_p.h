@@ -15,23 +15,25 @@ namespace l3d_detail {
 
 /// The pixels of an l3d_texture in memory. Lives: borrows the texture.
 struct texture_view {
-    /// As many as any width or height can be halved, and one more.
+    /// The largest number of mip levels, the picture and its smaller copies: a width or height can
+    /// be halved 31 times.
     static constexpr std::size_t most_levels = 32;
-    /// Each word has the roots of the light of red, green and blue, from the highest bit on. The
-    /// largest numbers stand for the light of level 255. A border of one pixel around each picture
-    /// shows what lies beyond it.
+    /// The pixels of all mip levels. Each word has the square roots of the light of red, green and
+    /// blue, from the highest bit on. The largest numbers stand for the light of white. A border of
+    /// one pixel around each mip level shows what lies beyond its sides.
     const std::uint32_t* texels = nullptr;
     static constexpr std::array<int, 3> bits{11, 11, 10};
     int width = 0, height = 0, levels = 0;
     l3d_texture_wrap wrap_u{}, wrap_v{};
-    std::array<std::int32_t, most_levels> first{}; ///< place of a level's first pixel
+    /// Index of each mip level's first pixel in `texels`.
+    std::array<std::int32_t, most_levels> first{};
 
-    /// The distance from row to row, in words, in a level of this width.
+    /// The distance from row to row, in words, in a mip level of this width.
     static constexpr int pitch(int width) { return width + 2; }
 };
 
 /// Moves a place in a repeated picture to within two pictures from 0, where the picture looks the
-/// same. There, floats can hold fractions of the picture's pixels.
+/// same. Near 0, floats can hold fractions of the picture's pixels.
 inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     if (wrap == l3d_texture_wrap::clamp)
         return place;
@@ -39,22 +41,23 @@ inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     return place - period * std::floor(place / period);
 }
 
-/// Pixels that are coloured together, with an array for each number.
+/// Pixels of a picture that are coloured together, with an array for each of their numbers.
 ///
 /// Shape: elements from `count` to the next multiple of 16 are read and written, too; set them to 0
 ///        at first.
 struct painted_pixels {
     static constexpr std::size_t most = 64;
-    /// Elements, with room for the widest vector behind the last.
+    /// The number of elements of each array, with room for the widest vector behind the last.
     static constexpr std::size_t room = most + 16;
     template <class T> using row = std::array<T, room>;
     using numbers = row<float>;
 
-    /// Parts of a texture, as l3d_texture_place has them.
+    /// The part of a texture that each pixel covers, as in l3d_texture_place.
     alignas(64) numbers u, v, u_right, v_right, u_down, v_down;
-    /// The light of each pixel: at first of the surface's colour, then also of the texture.
+    /// The light of each pixel: at first the light of the surface's colour, then its product with
+    /// the texture's light.
     alignas(64) std::array<numbers, 3> light;
-    alignas(64) row<std::uint32_t> words; ///< 0x00RRGGBB
+    alignas(64) row<std::uint32_t> words; ///< the colour of each pixel, 0x00RRGGBB
 
     /// Sets the part of a texture that a pixel covers.
     void set(std::size_t i, const l3d_texture& of, const l3d_texture_place& place) {
@@ -72,22 +75,23 @@ struct painted_pixels {
     }
 };
 
-/// Some neighbours among painted_pixels.
+/// Neighbouring elements [begin, end) of painted_pixels.
 struct pixel_range {
     std::size_t begin = 0, end = 0;
 };
 
-/// A table that turns light into levels, for lanes.
+/// A table that turns light into levels from 0 to 255, for lanes.
 ///
-/// A step is a range of floats with the same upper 16 bits. From `least` on, a step is no longer
-/// than 1/128 of its light, and levels begin at least 1/115 of their light apart. So at most one
-/// level begins in a step.
+/// A step of the table is a range of floats with the same upper 16 bits. From `least` on, a step is
+/// no longer than 1/128 of its light, and levels begin at least 1/115 of their light apart. So at
+/// most one level begins in a step.
 struct level_steps {
-    static constexpr float least = 0x1p-13F; ///< less than half a level
+    /// The light at which the table begins; it is below the light of half a level.
+    static constexpr float least = 0x1p-13F;
     static constexpr int lower_bits = 16;
-    static constexpr std::size_t steps = 13 * 128 + 1; ///< the last one is 1
-    /// The lowest byte is the level where the step begins. The upper bytes are the least lower bits
-    /// of a float in this step that belong to the next level.
+    static constexpr std::size_t steps = 13 * 128 + 1; ///< the last step begins at 1
+    /// An entry for each step. Its lowest byte is the level where the step begins. Its upper bytes
+    /// are the least lower 16 bits with which a float in this step belongs to the next level.
     std::array<std::int32_t, steps> level{};
     level_steps();
 };
@@ -98,25 +102,26 @@ struct level_steps {
 void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
                       const pixel_range& range, painted_pixels& pixels);
 
-/// The words of the nearest levels of the light, as linear_light::level finds them.
+/// Sets each pixel's word to the levels nearest to its light, as linear_light::level finds them.
 void encode_light(const pixel_range& range, painted_pixels& pixels);
 
-/// The name of a pixel that shows no polygon.
+/// The name in pixels that show no polygon.
 inline constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
-/// Pixels of a row, the names of the polygons that they show, and their places.
+/// Pixels of a row, and the names (numbers of material) of the polygons that they show.
 struct named_pixels {
     alignas(64) painted_pixels::row<std::uint32_t> names; ///< no_name behind the last pixel, too
     std::size_t count = 0;
-    double x = 0, y = 0; ///< place of the first one; the others follow by 1
+    /// The first pixel's middle, in pixels from the picture's top left corner; x rises by 1.
+    double x = 0, y = 0;
 };
 
-/// Takes the names from the upper three bytes of words; no_name where a depth is 0.
+/// Takes the pixels' names from the upper three bytes of their words; no_name where a depth is 0.
 void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
                 named_pixels& to);
 
-/// Replaces words by colours where depths are not 0. A word's lowest byte is the level of its
-/// colour, by the rule that l3d_material states.
+/// Replaces words by colours where depths are not 0. The lowest byte of a word is the grey level
+/// that the pixel's colour in `colors` is multiplied by, by the rule of l3d_material.
 void color_levels(std::uint32_t* words, const float* depths, const std::uint32_t* colors,
                   std::size_t count);
 

@@ -16,35 +16,38 @@
 #include <span>
 #include <vector>
 
-/// A triangle of the picture, for painting back to front.
+/// A triangle of the picture, for l3d_painter to paint back to front.
 struct l3d_painter_triangle {
     std::array<l3d_micro_vertex, 3> v;
-    std::uint32_t sides = 7;    ///< bit k: the side from corner k to the next is drawn as a line
-    std::uint32_t material = 0; ///< index of the material with which it is painted
+    /// Bit k tells whether the side from corner k to the next is drawn as a line.
+    std::uint32_t sides = 7;
+    std::uint32_t material = 0; ///< index of the material with which the triangle is painted
 };
 
-/// A cut of a triangle by the plane of another one. It keeps the pixels in which the triangle is in
-/// front of the plane, or the pixels in which it is behind.
+/// A cut of a triangle by another triangle's plane. The cut keeps the pixels in which the triangle
+/// is in front of this plane, or those in which it is behind.
 ///
-/// Two planes meet along a line in the picture, as 1/w of a plane is linear there. This line
-/// divides the pixels without gap and without overlap. No corners are made, so pieces keep the
+/// Two planes meet along a line in the picture, as a plane's 1/w is linear in the picture. This
+/// line divides the pixels without gap and without overlap. No corners are made, so pieces keep the
 /// outline and the shading of the whole triangle.
 struct l3d_painter_cut {
     static constexpr std::uint32_t last = ~0u;
 
     std::uint32_t splitter = 0; ///< index of the triangle that has the other plane
-    bool in_front =
-        false; ///< the side that is kept; places where both are equally near are in front
-    std::uint32_t next = last; ///< the next cut of the same piece
+    /// Whether the part in front of the plane is kept; places of equal depth are in front.
+    bool in_front = false;
+    /// Index of the next cut of the same piece; `last` if this is the last.
+    std::uint32_t next = last;
 };
 
-/// A piece to paint: a triangle, or the part of it that cuts leave.
+/// A piece to paint: a triangle, or the part of a triangle that cuts leave.
 struct l3d_painter_piece {
     std::uint32_t triangle = 0;
-    std::uint32_t cut = l3d_painter_cut::last; ///< the first of its cuts
+    /// Index of the first of the piece's cuts; `last` if it has none.
+    std::uint32_t cut = l3d_painter_cut::last;
 };
 
-/// The look of sides that are drawn as lines.
+/// The look of triangles' sides that are drawn as lines.
 struct l3d_line_look {
     std::uint32_t color = 0x00ffffff;
     bool smooth = false; ///< whether lines are anti-aliased
@@ -61,7 +64,7 @@ public:
 
     /// Clears the picture and paints the pieces, the first at the bottom. Without materials, all
     /// pieces are white; modes that do not show light ignore materials. Fog and smooth edges need
-    /// depths, so l3d_surface_rasterizer_sw::begin_over adds them later.
+    /// depths, so they are left to a later frame of l3d_surface_rasterizer_sw::begin_over.
     /// Expects: pieces, cuts and materials are named by valid indices.
     void paint(l3d_pixels target, const l3d_shading& shading,
                std::span<const l3d_material> materials,
@@ -75,7 +78,7 @@ public:
                      std::span<const l3d_painter_piece> pieces,
                      std::span<const l3d_painter_cut> cuts, const l3d_line_look& look);
 
-    /// The counts of the last call.
+    /// The counts of the last call of paint().
     const l3d_surface_counts& counts() const { return filler_.counts(); }
 
 private:
@@ -90,9 +93,10 @@ private:
     std::vector<l3d_surface_part> parts_;
     std::vector<const l3d_surface_part*> drawn_;
     std::vector<l3d_detail::cut_triangle> cut_;
-    std::vector<l3d_detail::plane_cut> plane_cuts_; ///< cuts of all cut triangles
-    l3d_depth_buffer places_;                       ///< rank of the topmost piece in each pixel
-    l3d_depth_buffer line_depths_;                  ///< depths of lines in fog
+    /// The cuts of all triangles of which cuts keep a part.
+    std::vector<l3d_detail::plane_cut> plane_cuts_;
+    l3d_depth_buffer places_; ///< in each pixel, the topmost piece's place in the order, as a depth
+    l3d_depth_buffer line_depths_; ///< depths of lines, which tell their fog
 };
 
 #endif
