@@ -245,8 +245,8 @@ struct l3d_dice_view {
     double drawn_w(double least) const { return std::max(least, near / 2); }
 
     /// The largest allowed difference of a chord's w from the exact w, for a net whose least w is
-    /// `least`. Beyond the near plane, it is an eighth of `least`, which l3d_vertex_accuracy counts
-    /// on. For nets that reach the near plane, it is half of `near`.
+    /// `least`. For a net in front of the near plane it is an eighth of `least`, which
+    /// l3d_vertex_accuracy counts on. For other nets it is half of `near`.
     double depth_budget(double least) const { return least > near ? least / 8 : near / 2; }
 
     /// The largest extent in w of a net that is drawn as a point. It is an eighth of the net's

@@ -124,7 +124,7 @@ public:
     static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);
 
-    /// The same patches, with the colours, parts, curves and errors that this file gives them.
+    /// The same patches, with the colours, parts, curves and errors that `file` gives them.
     /// Expects: a file of pieces() patches without placements.
     l3d_patch_model dressed(const l3d_model_file& file) const;
 
@@ -286,7 +286,7 @@ public:
     /// The lines in space that belong to the model, in its own coordinates.
     std::span<const l3d_space_curve> curves() const;
 
-    /// The different opacities of the pieces' materials, in ascending order.
+    /// The different opacities of the pieces' materials, each once, in the order of the pieces.
     std::vector<float> opacities() const;
     /// A model of the patches whose materials have an opacity from `least` to `most`. Lines are
     /// opaque.
