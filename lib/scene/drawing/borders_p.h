@@ -20,8 +20,8 @@ struct drawn_chain {
     /// The pieces that meet along the whole line; none for contours inside of pieces.
     std::vector<std::size_t> sides{};
     std::vector<std::size_t> cusps{}; ///< vertices at which the picture of a contour turns back
-    /// The index of the model's edge, if the line runs along an edge. Then u of each vertex is the
-    /// edge's parameter.
+    /// The edge's index among all edges of the drawing, if the line runs along an edge of a model.
+    /// Then u of each vertex is the edge's parameter.
     std::optional<std::size_t> edge{};
 };
 
