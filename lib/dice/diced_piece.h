@@ -25,7 +25,7 @@ struct l3d_dice_vertex {
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
-    std::array<of_blocks, 2> bent{}; ///< for triangles whose shade levels are parabolas
+    std::array<of_blocks, 2> bent{};     ///< for triangles whose shade levels are parabolas
     std::array<of_blocks, 2> straight{}; ///< for triangles whose shade levels are linear
 };
 
@@ -67,7 +67,8 @@ struct l3d_diced_piece {
     std::vector<std::array<double, 2>> border_along;
 
     /// A place on a side of the piece where the border of a trimmed region follows an edge of the
-    /// model. The slit beside that edge begins or ends there.
+    /// model. Where the slit beside the side is cut there, a strip fills what is between the cut
+    /// and the edge.
     struct crossing {
         std::array<double, 2> at; ///< u, v
         std::uint32_t edge;

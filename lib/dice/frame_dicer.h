@@ -28,7 +28,7 @@
 
 /// Which dicer gets a patch that both the lane dicer and the general dicer can dice.
 enum class l3d_dice_way {
-    lanes, ///< l3d_lane_dicer, in SIMD lanes; l3d_patch_dicer takes the rest
+    lanes,  ///< l3d_lane_dicer, in SIMD lanes; l3d_patch_dicer takes the rest
     general ///< l3d_patch_dicer, the lane dicer's slow twin, takes all
 };
 

@@ -69,9 +69,9 @@ struct l3d_block_needs {
     using per_block = std::array<double, most_blocks>;
 
     int strips = 1;
-    bool visible = false;                         ///< whether any block is visible
-    bool keeps_depth = false;                     ///< whether the depth arrays count
-    per_block uu{}, uv{}, vv{};                   ///< l3d_second_bounds of the image, in pixels
+    bool visible = false;       ///< whether any block is visible
+    bool keeps_depth = false;   ///< whether the depth arrays count
+    per_block uu{}, uv{}, vv{}; ///< l3d_second_bounds of the image, in pixels
     /// Second second bounds of w, in l3d_dice_view::depth_budget.
     per_block depth_uu{}, depth_uv{}, depth_vv{};
     per_block least_w{}; ///< least exact w of a drawn point, in visible blocks
@@ -147,7 +147,7 @@ struct l3d_step_plan {
     int strips = 1;
     std::array<int, most_strips> nu{1, 1, 1, 1}, nv{1, 1, 1, 1};
     double chord_error = 0; ///< bound of the visible blocks' chord error, in pixels
-    double fan_error = 0; ///< the same bound if every quad were folded; at least chord_error
+    double fan_error = 0;   ///< the same bound if every quad were folded; at least chord_error
     /// The chord error of each block. Shape: element 4 b + a is u-strip a, v-strip b.
     alignas(64) l3d_block_needs::per_block errors{};
     /// Bound of the visible blocks' error along the normal, in budgets of depth.

@@ -15,8 +15,8 @@
 struct L3D_PUBLIC l3d_seen_counts {
     std::int64_t drawn = 0;     ///< the shapes that reached the picture
     std::int64_t offscreen = 0; ///< shapes left out: beyond one side of the window
-    std::int64_t subpixel = 0; ///< shapes left out: their box holds no pixel centre
-    std::int64_t clipped = 0; ///< shapes cut at the near plane, far plane or guard band
+    std::int64_t subpixel = 0;  ///< shapes left out: their box holds no pixel centre
+    std::int64_t clipped = 0;   ///< shapes cut at the near plane, far plane or guard band
 
     /// Adds the counts of other shapes.
     void add(const l3d_seen_counts& other) {
@@ -76,26 +76,26 @@ struct L3D_PUBLIC l3d_surface_certificate {
 /// Counts and error bounds of a frame's dicing. They include the patches left out because their
 /// control net, or the net's box, proves them unseen. `clipped` counts grids, not patches.
 struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
-    std::int64_t behind = 0;      ///< patches left out: behind the near plane
-    std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
-    std::int64_t hidden = 0; ///< patches left out: hidden by earlier patches
-    std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn again
-    std::int64_t backfacing = 0;  ///< patches left out: only their back is turned to the eye
+    std::int64_t behind = 0;     ///< patches left out: behind the near plane
+    std::int64_t beyond = 0;     ///< patches left out: beyond the far plane
+    std::int64_t hidden = 0;     ///< patches left out: hidden by earlier patches
+    std::int64_t unchanged = 0;  ///< patches left out: beside the part that was drawn again
+    std::int64_t backfacing = 0; ///< patches left out: only their back is turned to the eye
     /// Blocks of drawn patches left out: only their back is turned to the eye.
     std::int64_t back_blocks = 0;
     std::int64_t back_quads = 0; ///< quads of the blocks that back_blocks counts
-    std::int64_t as_points = 0;   ///< patches drawn as a point each, without dicing
-    std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
-    std::int64_t in_lanes = 0;    ///< grids made by l3d_lane_dicer
-    std::int64_t samples = 0;     ///< vertices evaluated
-    std::int64_t failures = 0;    ///< pixels left out because an iteration did not converge
+    std::int64_t as_points = 0;  ///< patches drawn as a point each, without dicing
+    std::int64_t pieces = 0;     ///< grids made; more than `drawn` if patches had to be cut
+    std::int64_t in_lanes = 0;   ///< grids made by l3d_lane_dicer
+    std::int64_t samples = 0;    ///< vertices evaluated
+    std::int64_t failures = 0;   ///< pixels left out because an iteration did not converge
     /// The largest w of the near planes: the view's, or a farther one that cut more off a patch. 0
     /// stands for the view's near plane.
     double near_z = 0;
-    double bound_px = 0; ///< certified error of places in the picture, over all that was drawn
-    std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
-    std::int64_t unfinished = 0;  ///< coarse patches that a larger budget would make finer
-    l3d_coarse_patch coarsest; ///< the patch with the largest bound
+    double bound_px = 0;     ///< certified error of places in the picture, over all that was drawn
+    std::int64_t coarse = 0; ///< patches drawn with a bound above the tolerance
+    std::int64_t unfinished = 0; ///< coarse patches that a larger budget would make finer
+    l3d_coarse_patch coarsest;   ///< the patch with the largest bound
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
     /// same parameters.

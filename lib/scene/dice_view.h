@@ -94,7 +94,7 @@ struct l3d_dice_view {
     /// within the tolerance, too. If it is 0, only errors of places in the picture are.
     double focal = 0;
     double shade_tolerance = 2; ///< largest error of shade levels, of 255, if focal is not 0
-    double depth_scale = 1; ///< the quotient of scaled w and distance along the view axis
+    double depth_scale = 1;     ///< the quotient of scaled w and distance along the view axis
 
     /// The w of the camera's target in a parallel projection; 0 in perspective. In a parallel
     /// projection, all w differ from w_middle by at most this l3d_parallel_part of it, and depths
@@ -108,13 +108,13 @@ struct l3d_dice_view {
     /// those of the eye's place. Rounding errors are in proportion to this sum. 0 says that it is
     /// unknown; of_share() then cannot reduce errors.
     double terms = 0;
-    double eye_terms = 0;   ///< the eye's part of terms
+    double eye_terms = 0; ///< the eye's part of terms
     /// The camera's near plane, which errors of w may push to `near`; 0: the same as `near`.
     double camera_near = 0;
     l3d_culling_switches keep;
     std::int64_t most_samples = 0; ///< the frame's budget of samples; 0: l3d_usual_samples
     bool one_sided = false;        ///< the back of dS/du x dS/dv is not shown
-    l3d_image_section section; ///< the plane that cuts the scene open
+    l3d_image_section section;     ///< the plane that cuts the scene open
 
     /// A bit for each block in which the diced patch may fold over, as seen from the eye. The bit's
     /// number is 4 * row + column, with columns along u.

@@ -46,12 +46,12 @@ struct L3D_PUBLIC l3d_patch_reach {
 
 /// An edge whose distance from its faces exceeds the file's tolerance.
 struct L3D_PUBLIC l3d_loose_edge {
-    std::size_t edge = 0;                       ///< index in l3d_patch_model::edges
-    double off = 0;                             ///< the largest distance found
-    double tolerance = 0;                       ///< the distance that the file allows
+    std::size_t edge = 0; ///< index in l3d_patch_model::edges
+    double off = 0;       ///< the largest distance found
+    double tolerance = 0; ///< the distance that the file allows
     /// Where on the edge the largest distance was found.
     l3d_vector<double, 3> place{0.0, 0.0, 0.0};
-    std::vector<std::size_t> pieces;            ///< the pieces whose trims follow the edge
+    std::vector<std::size_t> pieces; ///< the pieces whose trims follow the edge
 };
 
 /// A set of bicubic patches, each with its exact normal net and its box. Coordinates are those of

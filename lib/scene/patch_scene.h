@@ -466,7 +466,7 @@ struct L3D_PUBLIC l3d_pick {
 
 /// The view through which l3d_pick_at looks at a scene.
 struct L3D_PUBLIC l3d_pick_view {
-    l3d_camera camera; ///< the camera; its near and far planes limit the depth of hits
+    l3d_camera camera;      ///< the camera; its near and far planes limit the depth of hits
     l3d_size size;          ///< size of the picture, in pixels
     bool one_sided = false; ///< whether backs of surfaces are not seen (l3d_afd_settings)
     /// Surfaces behind this plane of the world are not seen.

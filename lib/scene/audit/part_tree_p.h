@@ -47,15 +47,15 @@ public:
     /// The result of a search: the part that is nearest to some places, and bounds of its distance.
     struct found {
         double least = 0; ///< from every part, at least one of the places is this far or farther
-        double most = 0; ///< all of the places are at most this far from `part`
+        double most = 0;  ///< all of the places are at most this far from `part`
         std::optional<audit_part> part; ///< the part; nothing if no part was near enough
     };
 
     /// The conditions under which a search ends.
     struct wanted {
-        double enough; ///< a part no farther than this ends the search
+        double enough;   ///< a part no farther than this ends the search
         double hopeless; ///< parts that cannot be nearer than this are not looked at
-        double slack; ///< the search ends when most - least is at most this
+        double slack;    ///< the search ends when most - least is at most this
         /// The largest number of boxes and parts to open. If the search needs more, found::least is
         /// 0; found::most is valid.
         std::size_t steps = std::numeric_limits<std::size_t>::max();

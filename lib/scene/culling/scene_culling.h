@@ -25,7 +25,7 @@ struct placing_terms;
 struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
-    std::uint32_t matrix = 0; ///< index of the instance's matrix in l3d_scene_culling
+    std::uint32_t matrix = 0;   ///< index of the instance's matrix in l3d_scene_culling
     /// The least w of the patch's box, or the near plane's w if that is larger, in the view's
     /// units. In a parallel projection, w is counted from a value below which nothing lies.
     float nearest_w = 0;

@@ -26,7 +26,7 @@ struct culled_boxes {
     using row = std::array<double, l3d_box_lanes::lanes>;
 
     row least, most; ///< bounds of w
-    row inside; ///< below 0 if the box is wholly beyond one side of the margin
+    row inside;      ///< below 0 if the box is wholly beyond one side of the margin
     row share;       ///< share of the view's errors: l3d_dice_view::share_of
     row near;        ///< the near plane for that share
 

@@ -123,7 +123,7 @@ private:
 
 /// A piece of a surface in the picture.
 struct image_piece {
-    bernstein_net net;      ///< 4 dims, as drawing_view::placed
+    bernstein_net net; ///< 4 dims, as drawing_view::placed
     /// A polynomial that is 0 at contours; its sign tells which side is seen.
     bernstein_net contour;
     bernstein_net world;    ///< x w, y w, z w, w

@@ -27,7 +27,7 @@
 /// enough.
 struct l3d_cell_wish {
     double places = 0; ///< error of places that is always allowed, in the pieces' unit
-    int normals = 0; ///< the level of normals (l3d_patch_model::at_level)
+    int normals = 0;   ///< the level of normals (l3d_patch_model::at_level)
     /// The region that is seen. Without a region, all cells count as seen.
     std::optional<l3d_seen_region> region{};
     double places_by_depth = 0; ///< error of places that is allowed at depth 1 in the region

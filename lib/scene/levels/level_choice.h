@@ -18,13 +18,13 @@ struct l3d_level_view {
     const l3d_camera& camera;
     l3d_size size;
     double places_px; ///< largest error of places, in pixels
-    double normals; ///< largest difference of unit normals from the exact ones
+    double normals;   ///< largest difference of unit normals from the exact ones
 };
 
 /// Bounds of the errors of curved models in a picture, at the chosen levels.
 struct l3d_curved_error {
     double places_px = 0; ///< error of places, and of depth along the drawn normal; in pixels
-    double normals = 0; ///< difference of unit normals from the exact ones
+    double normals = 0;   ///< difference of unit normals from the exact ones
     double places = 0;    ///< error of places in the world's unit
 };
 

@@ -21,7 +21,7 @@ struct l3d_halved_side {
     struct place {
         std::uint32_t patch = 0, side = 0;
     };
-    place of{}; ///< the halved side
+    place of{};                    ///< the halved side
     std::array<place, 2> beyond{}; ///< the other patches' sides, in the order of the halves
     /// For each side beyond, whether it is walked in the same direction as its half. If so, its
     /// patch has opposite normals.

@@ -26,7 +26,7 @@ public:
         point,  ///< the side is a point, around which the surface goes on
         paired, ///< one other side has the same control points
         halved, ///< sides of two patches have the control points of its halves
-        half ///< a half of one other side has the same control points
+        half    ///< a half of one other side has the same control points
     };
 
     /// The neighbour of a side.
