@@ -62,7 +62,7 @@ public:
     /// The largest error in map() of any pixel that lies inside one surface or shows the background
     /// alone. It is infinite if the frame has uncertain pixels, but no pixel that lies inside a
     /// surface.
-    /// Units: levels.
+    /// Units: levels of 255.
     double color_bound() const { return color_bound_; }
 
     /// The number of pieces that were halved, in all frames so far: a measure of the map's cost.

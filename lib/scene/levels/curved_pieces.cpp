@@ -212,7 +212,7 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
 /// in which they sort first.
 struct boundary {
     std::vector<double> numbers;
-    bool is_turned = false; ///< whether the points run against the parameter
+    bool is_turned = false;    ///< whether the points run against the parameter
     bool is_symmetric = false; ///< whether both directions give the same numbers
 };
 

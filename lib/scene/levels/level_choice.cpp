@@ -32,7 +32,7 @@ constexpr double most_of_all = 8192;
 /// How an instance multiplies errors, and where it stands in the picture.
 struct seen_instance {
     double stretch = 1; ///< the factor by which lengths grow
-    double turn = 1; ///< the factor by which errors of unit normals grow
+    double turn = 1;    ///< the factor by which errors of unit normals grow
     double least_w = 0, most_w = 0;
     /// The pixels of a unit at depth 1, at the farthest corner of the window, where a unit has most
     /// pixels.
