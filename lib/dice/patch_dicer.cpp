@@ -144,8 +144,8 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
     return result;
 }
 
-/// Decides about a piece: it is left out if it is outside of the picture, drawn if its plan fits,
-/// or else waits to be cut.
+/// Decides about a piece. It is left out if it is outside of the picture, and drawn if its plan
+/// fits. Any other piece waits to be cut.
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     of.budget.left -= l3d_piece_cost;
     if ((!of.view.keep.outside || p.depth > 0) &&

@@ -35,9 +35,9 @@ bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 
-/// How much a net bends, as seen from the eye: the largest second differences of its control points
-/// along u and along v, and the largest mixed difference. Where depth is kept, a length along the
-/// line of sight counts like one across it.
+/// How much a net bends, as seen from the eye. These are the largest second differences of its
+/// control points along u and along v, and the largest mixed difference. Where depth is kept, a
+/// length along the line of sight counts like one across it.
 struct l3d_net_bends {
     double uu = 0, vv = 0, uv = 0, least_w = 0;
 };
@@ -109,8 +109,9 @@ struct l3d_block_needs {
     /// larger: points of a perspective curve may be farther apart than its control points.
     per_block least_u{}, least_v{};
 
-    /// The factor by which errors have to be smaller where outlines may be: along the piece's
-    /// sides, and in the blocks of `folds`, which may fold over. No bound relies on this factor.
+    /// The factor by which errors have to be smaller where outlines may be. Outlines may be along
+    /// the piece's sides, and in the blocks of `folds`, which may fold over. No bound relies on
+    /// this factor.
     double finer_outlines = 1;
     unsigned folds = 0;
 };

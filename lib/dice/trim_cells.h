@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <vector>
 
-/// Cuts off the parts of a diced piece that lie outside of its patch's trimmed region: parts of the
-/// grid's quads, and of the slits' triangles.
+/// Cuts off the parts of a diced piece that lie outside of its patch's trimmed region. It cuts the
+/// grid's quads and the slits' triangles.
 ///
 /// Quads inside the region stay as they are. All other quads are noted in the grid's `cut`, so that
 /// they are not drawn. Where the region's border passes through a quad, triangles fill the quad's

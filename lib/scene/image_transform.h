@@ -10,7 +10,7 @@
 #include "scene/dice_view.h"
 #include "scene/patch_scene.h"
 
-/// The map from the world to the picture for a frame: the camera's matrix, scaled so that its
+/// The map from the world to the picture for a frame. It is the camera's matrix, scaled so that its
 /// results fit the registers of every number type.
 ///
 /// Homogeneous points may be scaled freely. The factor here is a power of two, which is exact. It

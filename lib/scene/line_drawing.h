@@ -56,9 +56,9 @@ struct L3D_PUBLIC l3d_line_settings {
 
 /// A drawing of a scene's surfaces as lines, with a bound of its error.
 ///
-/// No point of a line is farther from an exact line of its kind than `bound`, as long as the
-/// surfaces are in front of the near plane. docs/NUMERICS.md, section 28, tells how, and where
-/// visibility is unsure.
+/// Each point of a line is within `bound` of an exact line of its kind, as long as the surfaces are
+/// in front of the near plane. docs/NUMERICS.md, section 28, tells how, and where visibility is
+/// unsure.
 /// Units: pixels.
 struct L3D_PUBLIC l3d_line_drawing {
     l3d_size size{};                     ///< size of the picture

@@ -20,9 +20,9 @@
 
 namespace {
 
-/// The path at which a file `named` in the file `path` is looked for: in the folder of `path`, even
-/// if the name is a path on another machine or of Windows. A model from a pipe has no folder; the
-/// current folder stands for it.
+/// The path at which a file `named` in the file `path` is looked for. It is in the folder of
+/// `path`, even if the name is a path on another machine or of Windows. A model from a pipe has no
+/// folder; the current folder stands for it.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);

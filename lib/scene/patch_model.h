@@ -164,8 +164,8 @@ public:
     /// The same curved model with finer or coarser patches; a model that is not curved is the same
     /// at all levels. A level says how fine the patches are: one for places, another for normals.
     /// Both run from 0, the coarsest, with which models are made, to most_level(). Two levels more
-    /// divide the error bound of places by 4, and that of normals by 8, as long as no more than
-    /// 2^17 patches are needed.
+    /// divide the error bound of places by 4, and that of normals by 8. This holds as long as no
+    /// more than 2^17 patches are needed.
     /// Expects: 0 <= places, normals <= most_level().
     /// Cost:    some 20 us a patch when a level is first asked for. Its patches are kept as long as
     ///          any copy of the model lives.
@@ -231,9 +231,9 @@ public:
     const l3d_trim_region* trim(std::size_t index) const;
     /// The edges at which the model's trimmed pieces end.
     std::span<const l3d_shared_edge> edges() const;
-    /// A text that tells how many edges are off their faces by more than the file's own tolerance,
-    /// and by how much the worst edge is off. It is "" if no edge is. Pictures close such gaps all
-    /// the same.
+    /// A text about edges that are off their faces by more than the file's own tolerance: how many
+    /// there are, and how far the worst one is off. It is "" if no edge is. Pictures close such
+    /// gaps all the same.
     std::string edges_note() const;
     /// The edges that edges_note() counts, the worst one first.
     std::vector<l3d_loose_edge> loose_edges() const;

@@ -16,9 +16,9 @@
 l3d_image_patch l3d_placed_net(const l3d_matrix<double>& to_image,
                                const l3d_bezier_patch<double, 3>& patch);
 
-/// A normal net whose vectors are multiplied by the upper left three by three of a matrix, then
-/// scaled so that the largest component is 1. If the matrix holds the cofactors of an affine map,
-/// the result is the normal net of the patch that the map moves.
+/// A normal net whose vectors are multiplied by the upper left three by three of a matrix. The
+/// product is scaled so that its largest component is 1. If the matrix holds the cofactors of an
+/// affine map, the result is the normal net of the patch that the map moves.
 /// Expects: a matrix that can be inverted.
 /// Cost:    some 500 instructions.
 l3d_normal_net l3d_placed_normals(const l3d_matrix<double>& by, const l3d_normal_net& normals);

@@ -16,8 +16,8 @@
 /// Bounds the light of the exact picture in cells, from the pieces that reach into them. A cell is
 /// a square of the picture, a pixel or smaller. A piece is a small part of a patch.
 ///
-/// Pieces that meet make a sheet. A sheet none of whose pieces ends, folds or breaks in the cell
-/// either fills the cell or lies outside it (NUMERICS, The map of doubt).
+/// Pieces that meet make a sheet. If no piece of a sheet ends, folds or breaks in a cell, the sheet
+/// fills the cell or lies outside it (NUMERICS, The map of doubt).
 /// Lives: kept for its memory.
 /// Cost:  grows with the square of the number of pieces.
 class l3d_cell_bounds {
@@ -28,8 +28,8 @@ public:
                             std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
                             const l3d_light_bounds& background);
 
-    /// Whether a cell, grown by the bound of places, certainly shows a single surface, even if each
-    /// surface is drawn nearer or farther by its bound of depth.
+    /// Whether a cell, grown by the bound of places, certainly shows a single surface. It must do
+    /// so even if each surface is drawn nearer or farther by its bound of depth.
     /// Shape: `touching` as in judge().
     bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
                         std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);

@@ -46,7 +46,7 @@ l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) 
 
 /// Bounds the mean light of a cell whose level is between line - below and line + above. Light is a
 /// convex function of the level, and so of the place. So the mean over a square is at least the
-/// light in the square's middle, and at most the mean of the light at its corners.
+/// light in its middle, and at most the mean of the light at its corners.
 interval mean_light(const l3d_doubt_bounds& line, double below, double above,
                     const l3d_image_box& cell, double part) {
     const double change =

@@ -74,8 +74,8 @@ struct block_nets {
     alignas(64) float at[3][4][4][points];
 };
 
-/// Cuts a net into the nets of its blocks: first along u, with a row of the net and a u-strip in
-/// each lane, then along v.
+/// Cuts a net into the nets of its blocks. The first cuts are along u, with a row of the net and a
+/// u-strip in each lane. The others are along v.
 /// Shape: net is [component][4 * row + column].
 HWY_ATTR void cut(const float (&net)[3][points], block_nets& blocks) {
     const floats d;

@@ -225,9 +225,9 @@ void l3d_outline_search::split(const piece& p) {
     search(high);
 }
 
-/// Whether everything drawn in and around a box hides a piece in the box with the range `w`. What
-/// is drawn must be nearer than the piece's nearest point by the piece's range of depth, since the
-/// surface goes on beside the piece.
+/// Whether everything drawn in and around a box hides a piece in the box with the range `w`. The
+/// drawn surfaces must be nearer than the piece's nearest point by the piece's range of depth,
+/// since the piece's surface goes on beside it.
 bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& w) const {
     const bool is_parallel = view_.is_parallel();
     const auto depth = [&](double of_w) {

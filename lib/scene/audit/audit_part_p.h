@@ -51,8 +51,8 @@ struct bent_patch {
     /// the patch.
     patch_place place_near(const flat_triangle::vector& to, patch_place begin) const;
 
-    /// Bounds of the lengths of the derivatives by u twice, by u and v, and by v twice, in the
-    /// rectangle of parameters from `least` to `most`.
+    /// Bounds of the lengths of second derivatives in the rectangle of parameters from `least` to
+    /// `most`. Shape: by u twice, by u and v, by v twice.
     std::array<double, 3> bounds(const patch_place& least, const patch_place& most) const;
 
     patch of;

@@ -10,8 +10,8 @@ namespace {
 
 /// Limits of good bounds, which need no quartering. A bound is good up to `good_enough` times the
 /// true number, or up to an eighth of the largest number of its kind. A bound is also good if it is
-/// too small to matter. That is up to a thousandth of a radian, or up to a bend of 2^-14 of the
-/// patch's size, a 16th of a pixel on a thousand pixels.
+/// too small to matter. A turn up to a thousandth of a radian does not matter. Nor does a bend up
+/// to 2^-14 of the patch's size, a 16th of a pixel on a thousand pixels.
 constexpr double of_its_kind = 1.0 / 8, no_turn = 0x1p-10, no_bend = 0x1p-14;
 constexpr struct {
     std::size_t first, end;

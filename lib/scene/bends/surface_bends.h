@@ -37,7 +37,7 @@ inline constexpr double l3d_of_thirds = 0.0080187537387448;
 /// Bounds how far the drawn shade level of a quad with sides h_u, h_v is off the exact level at the
 /// same parameters. The drawn level is a parabola through the levels of the corners and of the
 /// middles of the sides. Opposite sides bend differently; the mean of both parabolas is drawn.
-/// Units: levels. NUMERICS, section 14.
+/// Units: levels of 255. NUMERICS, section 14.
 double l3d_levels_off(const l3d_bend_numbers<double>& bends, double h_u, double h_v);
 
 /// Bounds how a patch and its 4 x 4 blocks bend, and how their normals turn, edges included. Dicing

@@ -12,7 +12,8 @@
 #include <span>
 
 /// Finds the blocks of a patch that certainly show their back. For the patch and for each of its 4
-/// x 4 blocks, it holds a ball around the points and a cone around the normals dS/du x dS/dv.
+/// x 4 blocks, it holds two bounds: a ball around the points, and a cone around the normals dS/du x
+/// dS/dv.
 ///
 /// Shape: block 4 * row + column, columns along u. The object begins with a line of the cache,
 ///        since most questions need the patch's own cone alone.

@@ -103,7 +103,7 @@ struct image_bounds {
     double height() const { return bottom - top; }
 };
 
-/// A region of parameters that answers many calls of contains() fast: it holds the sides of the
+/// A region of parameters that answers many calls of contains() fast. It holds the sides of the
 /// region's polygons in rows of equal height in v.
 class region_rows {
 public:

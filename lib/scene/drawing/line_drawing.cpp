@@ -25,9 +25,9 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The shares of the tolerance that three errors may take: errors of chords, of polygons that stand
-/// for trims, and of ends of contours that are moved onto an edge. Ends are moved by at most half
-/// of their share. The rest is for the shear and for rounding.
+/// The shares of the tolerance for errors of chords, for errors of polygons that stand for trims,
+/// and for moving ends of contours onto an edge. Ends are moved by at most half of their share. The
+/// rest is for the shear and for rounding.
 constexpr double chord_share = 0.5, trim_share = 0.25, joint_share = 0.25;
 
 /// A stretch that is shorter than this becomes seen or hidden as its neighbours are. Units: pixels.
