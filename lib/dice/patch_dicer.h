@@ -104,8 +104,8 @@ private:
         l3d_block_needs needs;
         double vertex_error = 0, row_error = 0, depth_error = 0, row_depth_error = 0;
         double depth_budget = 0, excess = 0;
-        double depth_growth =
-            1; ///< The factor by which bounds grow where w of chords errs more than planned.
+        /// The factor by which bounds grow where w of chords errs more than planned.
+        double depth_growth = 1;
     };
 
     /// A piece that waits to be cut, or to be drawn in the end.

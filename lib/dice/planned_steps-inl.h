@@ -86,9 +86,8 @@ struct steps_along {
     alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< the step h = 1 / n
     /// The factor of a second derivative in a chord's error.
     alignas(64) double bend[most_strips] = {};
-    alignas(
-        /// L3d_balance h^2 in strips whose vertices are balanced, else 0.
-        64) double moved[most_strips] = {};
+    /// l3d_balance h^2 in strips whose vertices are balanced, else 0.
+    alignas(64) double moved[most_strips] = {};
 
     void set(std::size_t strip, int steps, bool balanced) {
         const double h = 1.0 / steps;

@@ -56,11 +56,10 @@ private:
     const l3d_dice_view* view_ = nullptr;
     l3d_diced_piece* piece_ = nullptr;
     l3d_trim_error error_;
-    std::vector<quad_surface::point>
-        points_; ///< The corners of the triangles in the quad that is being cut.
-    std::vector<bool>
-        /// Whether each quad lies inside the region, by the index of the quad's first corner.
-        is_whole_;
+    /// The corners of the triangles in the quad that is being cut.
+    std::vector<quad_surface::point> points_;
+    /// Whether each quad lies inside the region, by the index of the quad's first corner.
+    std::vector<bool> is_whole_;
     std::vector<l3d_border_edge> border_; ///< the piece's border before the cut
     std::vector<l3d_border_edge> trims_;  ///< sides of triangles that lie on the region's border
     std::vector<stretch> border_along_;

@@ -39,10 +39,9 @@ template <std::size_t Corners> struct blended_point {
     std::array<double, Corners> shares{};
     l3d_micro_vertex vertex;
     l3d_patch_parameters uv;
-    double level =
-        /// The point's shade level where vertices have levels. Elsewhere `vertex` has the point's
-        /// normal.
-        0;
+    /// The point's shade level where vertices have levels. Elsewhere `vertex` has the point's
+    /// normal.
+    double level = 0;
 };
 
 /// Interpolates between the vertices of a quad or a triangle, as before their projection.

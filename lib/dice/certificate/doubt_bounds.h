@@ -36,7 +36,8 @@ struct l3d_doubt_lighting {
     l3d_light_color ambient{};
     std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
-    double depth_scale = 1; ///< The increase of w for each unit of distance along the view axis.
+    /// The increase of w for each unit of distance along the view axis.
+    double depth_scale = 1;
     double nearer = 0; ///< how much nearer the camera's eye is than the eye from which w counts
 };
 
@@ -143,7 +144,8 @@ struct l3d_doubt_bounds {
     double at_x = 0, at_y = 0; ///< the piece's own place: places in lines are relative to it
     unsigned open_sides = 0;   ///< a bit for each side of the piece where the surface ends
     bool may_end = false;      ///< whether the near or far plane may cut the piece, or trims do
-    int facing = 0; ///< The sign of the normal along the line of sight; 0 if both signs may occur.
+    /// The sign of the normal along the line of sight; 0 if both signs may occur.
+    int facing = 0;
     /// Whether the piece's back may be turned to the eye, and is not drawn.
     bool may_be_missing = false;
 
@@ -162,10 +164,8 @@ struct l3d_doubt_bounds {
     std::array<double, 4> parameters{};
     double u_off = 0, v_off = 0; ///< largest errors of the map `parameters`; infinite if unknown
     double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
-    double point_off =
-        /// The part of picture_off that comes from the error of points. Smaller pieces have it,
-        /// too.
-        0;
+    /// The part of picture_off that comes from the error of points. Smaller pieces have it, too.
+    double point_off = 0;
 
     /// Whether the piece may reach into a box.
     bool touches(const l3d_image_box& other) const;

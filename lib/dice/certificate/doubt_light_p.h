@@ -67,10 +67,8 @@ private:
     const l3d_doubt_leaf* first_ = nullptr; ///< the leaf added last
     bool is_one_look_ = true, is_known_ = true;
     l3d_light_bounds light_; ///< light of all pieces added
-    light_ranges ranges_,
-        /// The ranges of all pieces' lines, and of their differences from the best known piece's
-        /// lines.
-        beside_;
+    /// The ranges of all pieces' lines, and of their differences from the best known piece's lines.
+    light_ranges ranges_, beside_;
 };
 
 } // namespace l3d_detail

@@ -79,8 +79,8 @@ private:
 
     const l3d_doubt_view* view_ = nullptr;
     l3d_pixel_box tile_;
-    double grown_ =
-        0; ///< How far cells are grown: the bound of places while the drawing is judged, else 0.
+    /// How far cells are grown: the bound of places while the drawing is judged, else 0.
+    double grown_ = 0;
     bool judges_drawing_ = false;
     int finest_drawing_ = 0;
     int fineness_ = 0; ///< cells are 2^-fineness pixels wide
@@ -91,10 +91,9 @@ private:
     std::vector<std::int32_t> grid_; ///< index in cells_ for each possible cell, or -1
     std::vector<l3d_doubt_leaf> leaves_, next_leaves_;
     std::vector<bool> is_needed_; ///< for each leaf, whether a smaller cell may still show it
-    std::vector<std::uint32_t> first_,
-        /// The leaves that touch each cell, one cell after the other: cell i has those from
-        /// first_[i] on.
-        touching_;
+    /// The leaves that touch each cell, one cell after the other: cell i has those from first_[i]
+    /// on.
+    std::vector<std::uint32_t> first_, touching_;
     std::vector<l3d_doubt_pixel> pixels_;
     l3d_cell_bounds judge_;
 };

@@ -33,8 +33,8 @@ struct l3d_shared_polyline {
     std::vector<double> t; ///< the edge's parameters
     std::vector<l3d_clip_vertex> points;
     std::vector<l3d_strip_corner> corners; ///< the same points, for measuring strips
-    std::vector<l3d_drawn_distance>
-        chords;        ///< How far the edge may be off each chord; infinite if unknown.
+    /// How far the edge may be off each chord; infinite if unknown.
+    std::vector<l3d_drawn_distance> chords;
     double off_px = 0; ///< how far the edge is off its faces where it may be seen
 
     void make(const l3d_shared_edge& edge, const l3d_matrix<double>& to_image,

@@ -26,9 +26,8 @@ struct lane_bounds {
     /// Whether the patch lies between the near and the far plane, within the guard band and on the
     /// kept side of a section. If not, nothing else is valid.
     bool ordinary = false;
-    l3d_image_box hull,
-        /// The boxes of the net and of its visible part, in pixels from the picture's centre.
-        seen;
+    /// The boxes of the net and of its visible part, in pixels from the picture's centre.
+    l3d_image_box hull, seen;
     double least_w = 0, most_w = 0;
     centred_net net;
     l3d_block_needs needs; ///< needs of one block if the net is small, else of sixteen

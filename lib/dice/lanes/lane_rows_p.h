@@ -20,10 +20,8 @@ struct lane_parameters {
     static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
     static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
     alignas(64) double at[room];
-    alignas(
-        /// The factor of the second derivative by which balancing moves vertices, for each
-        /// parameter.
-        64) double moved[room];
+    /// The factor of the second derivative by which balancing moves vertices, for each parameter.
+    alignas(64) double moved[room];
     std::size_t count = 0;
 
     /// The count of parameters, rounded up to whole vectors of lane_columns.
@@ -52,10 +50,9 @@ struct lane_walk {
     int strips;
     bool balanced;
     std::array<int, 4> rows; ///< number of steps of each strip along v
-    std::int32_t origin_x,
-        /// The place of the centred net's origin in the picture, in sub-pixels from the picture's
-        /// corner.
-        origin_y;
+    /// The place of the centred net's origin in the picture, in sub-pixels from the picture's
+    /// corner.
+    std::int32_t origin_x, origin_y;
     /// The number that stands for 1 in registers: a power of two.
     double register_xy = 1, register_w = 1;
     float depth_scale = 1;

@@ -21,9 +21,8 @@ struct l3d_picture_place {
 /// may reach.
 struct l3d_outline_reach {
     double focal; ///< pixels at a distance of 1
-    double
-        /// In a parallel projection, how much depth changes over a pixel's width; 0 in perspective.
-        depth_by_pixel;
+    /// In a parallel projection, how much depth changes over a pixel's width; 0 in perspective.
+    double depth_by_pixel;
     double places, depth; ///< error bounds in the picture and along the normal, in pixels
     double farthest_near; ///< the largest w of any patch's near plane
 };
@@ -89,14 +88,12 @@ private:
                       double radius);
 
     const l3d_dice_view& whole_;
-    l3d_dice_view
-        /// The view with the patch's share of errors. The members down to window_ depend on this
-        /// share, too.
-        view_;
+    /// The view with the patch's share of errors. The members down to window_ depend on this share,
+    /// too.
+    l3d_dice_view view_;
     l3d_outline_reach reach_;
-    double radius_ = 0,
-           /// How far pixels are marked around a side, and around a fold, in pixels.
-        fold_radius_ = 0;
+    /// How far pixels are marked around a side, and around a fold, in pixels.
+    double radius_ = 0, fold_radius_ = 0;
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};
     double allowed_; ///< the most by which a marked line may be too wide, in pixels
