@@ -70,7 +70,7 @@ struct l3d_diced_piece {
     /// model. Where the slit beside the side is cut there, a strip fills what is between the cut
     /// and the edge.
     struct crossing {
-        std::array<double, 2> at; ///< u, v
+        std::array<double, 2> at; ///< the place's parameters u and v
         std::uint32_t edge;
         double t; ///< the edge's parameter
     };

@@ -99,8 +99,9 @@ private:
         l3d_dice_view view; ///< the frame's view, with the errors of the patch that is being diced
         l3d_dice_counts counts;
         l3d_bend_bounds bends; ///< bends of the patch that is being diced
-        std::optional<l3d_surface_bends>
-            own_bends; ///< computed where the placement is no similarity
+        /// The bends of the patch that is being diced, computed where its placement is no
+        /// similarity.
+        std::optional<l3d_surface_bends> own_bends;
         l3d_trim_cells trims;
         l3d_grid_trims trims_of_piece; ///< used where a patch has several pieces
         l3d_grid_trims::workshop workshop;
@@ -163,8 +164,8 @@ private:
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
     std::vector<l3d_piece_pool> slots_; ///< one for each patch of a batch, or of all batches
-    std::size_t first_slot_ = 0,
-                next_slot_ = 0;      ///< the first slot of the last batch; the first one behind it
+    /// The index of the first slot of the last batch, and of the first slot behind the batch.
+    std::size_t first_slot_ = 0, next_slot_ = 0;
     std::size_t patches_before_ = 0; ///< patches in the frame's batches before the last one
     bool keeps_batches_ = false;
     std::vector<outcome> outcomes_;   ///< one for each patch of the last batch

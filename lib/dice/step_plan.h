@@ -49,10 +49,10 @@ l3d_net_bends l3d_bends_of(const l3d_image_patch& net, const l3d_image_box& hull
 /// The way in which quads will be drawn. The error of a quad, and so the choice of steps, depends
 /// on it.
 enum class l3d_quad_kind {
-    convex,    ///< as `whole`, but the caller adds the further error of folded quads
-    whole,     ///< convex quads whole, folded ones as fans: only for pieces that need no clipping
+    convex, ///< as `whole`, but plans leave out the error of folded quads, which the caller adds
+    whole, ///< convex quads are drawn whole, folded quads as fans; only for pieces without clipping
     trimmed,   ///< as `whole`, but trims cut some quads into triangles
-    triangles, ///< two triangles, clipped
+    triangles, ///< each quad is drawn as two triangles, clipped
 };
 
 /// The kind of quads in pieces that need no clipping. It is `trimmed` if the view's patch has trims
@@ -72,7 +72,7 @@ struct l3d_block_needs {
     bool visible = false;       ///< whether any block is visible
     bool keeps_depth = false;   ///< whether the depth arrays count
     per_block uu{}, uv{}, vv{}; ///< l3d_second_bounds of the image, in pixels
-    /// Second second bounds of w, in l3d_dice_view::depth_budget.
+    /// The second bounds of w, in units of l3d_dice_view::depth_budget.
     per_block depth_uu{}, depth_uv{}, depth_vv{};
     per_block least_w{}; ///< least exact w of a drawn point, in visible blocks
 

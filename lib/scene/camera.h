@@ -63,7 +63,7 @@ struct L3D_PUBLIC l3d_camera {
     using vector = l3d_vector<double, 3>;
     vector eye{0.0, 0.0, 1.0};    ///< the eye's place
     vector target{0.0, 0.0, 0.0}; ///< the place in the middle of the picture
-    vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture, any length
+    vector up{0.0, 1.0, 0.0};     ///< the direction that points up in the picture, of any length
     double fov = 38;              ///< full vertical angle of view, in degrees
     double near_z = 0.1; ///< least distance along the view axis that is drawn, in world units
     /// Farthest distance along the view axis that is drawn, in world units. The default hides

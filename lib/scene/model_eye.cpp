@@ -13,7 +13,7 @@ vector linear(const l3d_matrix<double>& m, int row) {
     return {m(row, 0), m(row, 1), m(row, 2)};
 }
 
-constexpr int x = 0, y = 1, w = 3; ///< rows
+constexpr int x = 0, y = 1, w = 3; ///< rows of to_image
 
 } // namespace
 

@@ -47,8 +47,8 @@ struct L3D_PUBLIC l3d_patch_reach {
 /// An edge whose distance from its faces exceeds the file's tolerance.
 struct L3D_PUBLIC l3d_loose_edge {
     std::size_t edge = 0; ///< index in l3d_patch_model::edges
-    double off = 0;       ///< the largest distance found
-    double tolerance = 0; ///< the distance that the file allows
+    double off = 0;       ///< the largest distance from the faces that was found
+    double tolerance = 0; ///< the distance from the faces that the file allows
     /// Where on the edge the largest distance was found.
     l3d_vector<double, 3> place{0.0, 0.0, 0.0};
     std::vector<std::size_t> pieces; ///< the pieces whose trims follow the edge
@@ -340,7 +340,7 @@ private:
     std::shared_ptr<const contents> contents_;
 
     struct source;
-    std::shared_ptr<const source> source_; ///< null unless it is curved
+    std::shared_ptr<const source> source_; ///< null unless the model is curved
     // These functions copy the bounds of patches that are equal to patches of `like`, which may be
     // null.
     l3d_patch_model(std::vector<patch> patches, const contents* like);
@@ -360,12 +360,12 @@ private:
     l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
     std::vector<l3d_material> piece_materials() const;
 
-    std::shared_ptr<const std::vector<std::uint32_t>> faces_; ///< null if there are none
+    std::shared_ptr<const std::vector<std::uint32_t>> faces_; ///< null without numbers
     struct stated;
-    std::shared_ptr<const stated> stated_;                       ///< null if there is none
-    std::shared_ptr<const paint> paint_;                         ///< null if all is plain
-    std::shared_ptr<const l3d_parts> parts_;                     ///< null if there are none
-    std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null if there are none
+    std::shared_ptr<const stated> stated_;   ///< null if no errors are stated
+    std::shared_ptr<const paint> paint_;     ///< null if all materials are plain
+    std::shared_ptr<const l3d_parts> parts_; ///< null without parts
+    std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null without lines
 };
 
 #endif

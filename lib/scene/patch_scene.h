@@ -152,7 +152,7 @@ public:
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
 
-    /// Puts another level of the same model in its place.
+    /// Puts another level of the instance's model in place of the model.
     /// Expects: a model that at_level() made of model().
     void take_level(const l3d_patch_model& level) { model_ = level; }
 
@@ -400,8 +400,8 @@ private:
     mutable whole extent_; ///< extent of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;
     mutable std::vector<l3d_material> materials_;
-    mutable std::vector<std::uint32_t> first_materials_; ///< for each instance, the first index in
-                                                         ///< materials_
+    /// For each instance, the index in materials_ of the first of its model's materials.
+    mutable std::vector<std::uint32_t> first_materials_;
     mutable bool knows_materials_ = true;
     bool is_rebuilt_ = true;
     std::vector<std::size_t> moved_;

@@ -28,7 +28,7 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 /// A lamp so far away that its light has one direction. It lights the exact picture.
 struct l3d_doubt_lamp {
     l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< unit vector towards the lamp, in the world
-    l3d_light_color color{1, 1, 1};                 ///< the lamp's light, as parts of white
+    l3d_light_color color{1, 1, 1}; ///< colour of the lamp's light, as parts of white
 };
 
 /// The lights and the fog of the exact picture, by the rules of l3d_lighting and l3d_fog.
@@ -36,7 +36,7 @@ struct l3d_doubt_lighting {
     l3d_light_color ambient{};
     std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
-    /// The increase of w for each unit of distance along the view axis.
+    /// How much w grows for each unit of distance along the view axis.
     double depth_scale = 1;
     double nearer = 0; ///< how much nearer the camera's eye is than the eye from which w counts
 };
@@ -125,8 +125,8 @@ struct l3d_doubt_view {
 /// piece's own place (l3d_doubt_bounds::at_x, at_y).
 struct l3d_doubt_line {
     double least = 0, most = 0;
-    double middle = 0, along_x = 0, along_y = 0,
-           off = 0; ///< at(0, 0), the slopes of at(), and its error
+    /// The value at(0, 0), the slopes of at() along x and y, and the largest error of at().
+    double middle = 0, along_x = 0, along_y = 0, off = 0;
 
     double at(double x, double y) const { return middle + along_x * x + along_y * y; }
 };

@@ -82,7 +82,7 @@ private:
     };
     struct tile_result {
         double coverage = 0, color = 0;
-        bool has_unsure = false, has_covered = false; ///< pixels
+        bool has_unsure = false, has_covered = false; ///< kinds of pixels in the tile
     };
 
     void place(const l3d_doubted_frame& frame);

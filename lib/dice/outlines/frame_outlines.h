@@ -50,8 +50,8 @@ private:
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
     double focal_ = 1, depth_by_pixel_ = 0;
-    std::map<const void*, l3d_patch_neighbours>
-        sides_; ///< sides of the frame's models, by identity
+    /// The sides that may be outlines of the frame's models, by l3d_patch_model::identity().
+    std::map<const void*, l3d_patch_neighbours> sides_;
     l3d_two_layer_depths depths_;
     l3d_pixel_bits mask_;
 };

@@ -20,7 +20,7 @@ struct l3d_picture_place {
 /// The bounds of a drawn frame's errors, by which l3d_outline_search knows which pixels an outline
 /// may reach.
 struct l3d_outline_reach {
-    double focal; ///< pixels at a distance of 1
+    double focal; ///< length in pixels of a unit at distance 1
     /// In a parallel projection, how much depth changes over a pixel's width; 0 in perspective.
     double depth_by_pixel;
     double places, depth; ///< error bounds in the picture and along the normal, in pixels

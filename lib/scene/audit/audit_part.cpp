@@ -23,7 +23,7 @@ double square_distance_to_segment(double x, double y, double a, double b) {
     return dx * dx + dy * dy;
 }
 
-/// A unit vector perpendicular to another.
+/// Some unit vector perpendicular to `unit`.
 vector any_across(const vector& unit) {
     vector axis{0.0, 0.0, 0.0};
     axis[std::abs(unit[0]) < 0.5 ? 0 : 1] = 1;

@@ -28,10 +28,10 @@ struct L3D_PUBLIC l3d_audited_way {
 /// The distances between a mesh and a surface, each from all places of one to the nearest place of
 /// the other. The larger one is Hausdorff's distance.
 struct L3D_PUBLIC l3d_mesh_audit {
-    l3d_audited_way from_mesh;    ///< from the triangles to the surface: large where the mesh has
-                                  ///< too much
-    l3d_audited_way from_surface; ///< from the surface to the triangles: large where the mesh lacks
-                                  ///< a part
+    /// From the triangles to the surface. The distance is large if the mesh has too much.
+    l3d_audited_way from_mesh;
+    /// From the surface to the triangles. The distance is large if the mesh lacks a part.
+    l3d_audited_way from_surface;
 };
 
 /// Measures distances between meshes and the trimmed pieces of a model. Each distance gets bounds

@@ -17,7 +17,7 @@ namespace l3d_detail {
 struct image_edge {
     struct span {
         double from, to;   ///< parameters of the edge
-        bernstein_net net; ///< n = 0, 4 dims, as drawing_view::placed
+        bernstein_net net; ///< the curve in the picture: n = 0, 4 dims, as drawing_view::placed
     };
     std::vector<span> spans;
     double off = 0; ///< distance found between the edge and its faces, in pixels

@@ -123,10 +123,10 @@ private:
 
 /// A piece of a surface in the picture.
 struct image_piece {
-    bernstein_net net; ///< 4 dims, as drawing_view::placed
+    bernstein_net net; ///< the surface in the picture: 4 dims, as drawing_view::placed
     /// A polynomial that is 0 at contours; its sign tells which side is seen.
     bernstein_net contour;
-    bernstein_net world;    ///< x w, y w, z w, w
+    bernstein_net world;    ///< the surface in the world: x w, y w, z w, w
     l3d_trim_region region; ///< the part of the piece that trims leave; empty without trims
     region_rows rows;       ///< the region again, in rows
     std::size_t instance = 0, number = 0;

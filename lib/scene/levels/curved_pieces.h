@@ -139,7 +139,7 @@ public:
     /// The largest number of cells of a model at any level: they take some 300 MB.
     static constexpr double most_cells = 0x1p17;
 
-    /// The cells of a level.
+    /// The cells between some cuts, as patches with bounds of their errors.
     struct cells {
         std::vector<patch> patches;
         std::vector<l3d_normal_net> normals;     ///< normals of the piece itself, for each patch

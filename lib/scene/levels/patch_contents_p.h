@@ -50,20 +50,22 @@ struct l3d_patch_model::contents {
     std::vector<l3d_facing_cones> facing;
     std::vector<std::shared_ptr<bends_on_demand>> bends;
     std::vector<l3d_patch_reach> reaches;
-    std::vector<l3d_halved_side> halved;     ///< sides beyond which two smaller patches follow
-    std::vector<unsigned char> halved_edges; ///< their bits for each patch, in the order of
-                                             ///< l3d_patch_reach::edges; empty if there are none
+    std::vector<l3d_halved_side> halved; ///< sides beyond which two smaller patches follow
+    /// For each patch, a bit for each side in `halved`, in the order of l3d_patch_reach::edges.
+    /// Empty if no side is halved.
+    std::vector<unsigned char> halved_edges;
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
     l3d_box_lanes boxes;
 
     // The following are for a curved model.
     std::vector<std::uint32_t> pieces;       ///< the piece that each patch belongs to
-    std::vector<l3d_parameter_range> ranges; ///< the part of that piece
-    std::vector<l3d_trim_region>
-        trims;                     ///< the region left of each patch; empty if no piece is trimmed
-    std::vector<double> edges_off; ///< as l3d_curved_pieces::cells has it
+    std::vector<l3d_parameter_range> ranges; ///< the part of its piece that each patch covers
+    /// The region of each patch that trims leave. The list is empty if no piece is trimmed.
+    std::vector<l3d_trim_region> trims;
+    std::vector<double> edges_off; ///< see l3d_curved_pieces::cells::edges_off
     std::vector<double> errors;    ///< errors of places, one for each patch
+    /// The results of l3d_patch_model::surface_error() and normal_error().
     double surface_error = 0, normal_error = 0;
     double share = 0; ///< the largest ratio of an error of places to the allowed one
 
@@ -74,13 +76,13 @@ private:
 /// The errors that a program states for pieces that approximate another surface
 /// (l3d_patch_model::standing_for).
 struct l3d_patch_model::stated {
-    stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
-
     /// Takes the stated errors. Clears `is_of_points` where errors of points may turn normals by
     /// any angle.
-    std::vector<l3d_patch_error> errors;
-    double places = 0;  ///< the largest
-    double normals = 0; ///< the largest error of normals among pieces with is_of_points
+    stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
+
+    std::vector<l3d_patch_error> errors; ///< one for each piece
+    double places = 0;                   ///< largest error of places
+    double normals = 0; ///< largest error of normals among pieces with is_of_points
 };
 
 /// The pieces of a curved model, and its levels that were made so far. Levels of another model,

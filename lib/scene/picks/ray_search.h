@@ -68,7 +68,7 @@ private:
     double near_, far_;
     std::function<bool(const l3d_ray_hit&)> is_seen_;
     std::vector<root> roots_;
-    std::vector<part> heap_; ///< the least depth first
+    std::vector<part> heap_; ///< parts still to be searched, the least depth first
     long steps_ = 0;
 };
 

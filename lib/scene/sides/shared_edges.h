@@ -28,7 +28,7 @@ struct l3d_shared_edge {
     /// measured at places of each trim curve, not proven.
     double off = 0;
     l3d_vector<double, 3> worst{0.0, 0.0, 0.0}; ///< the place of the edge where `off` was found
-    double tolerance = 0;                       ///< the distance that the file allows
+    double tolerance = 0;                       ///< the largest `off` that the file allows
 
     /// Notes a distance to a face, measured at a place of the edge.
     void note(double distance, const l3d_vector<double, 3>& at) {

@@ -18,11 +18,11 @@
 /// Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:
-    static constexpr std::size_t sides = 4; ///< sides of a patch
+    static constexpr std::size_t sides = 4; ///< the number of a patch's sides
 
     /// The kind of neighbour that a side has.
     enum class kind : unsigned char {
-        open,   ///< the surface ends
+        open,   ///< the surface ends at the side
         point,  ///< the side is a point, around which the surface goes on
         paired, ///< one other side has the same control points
         halved, ///< sides of two patches have the control points of its halves
@@ -38,8 +38,9 @@ public:
         /// The other side of the pair, or the side of which this side is a half. Meaningless for a
         /// side that is halved itself.
         std::uint32_t patch = 0, side = 0;
-        std::uint32_t part =
-            0; ///< for a half: 0 if it is the other side's first half, 1 if the second
+        /// For a side of kind `half`: 0 if it is the first half of the other side, 1 if it is the
+        /// second.
+        std::uint32_t part = 0;
     };
 
     explicit l3d_side_pairs(const l3d_patch_model& model);
