@@ -45,7 +45,7 @@ public:
              l3d_block_needs& needs) const;
 
     /// Bounds the errors that remain with the chosen steps. `clipped` says that the piece was
-    /// clipped, so that its levels are linear over triangles.
+    /// clipped, so that its shade levels are linear over triangles.
     /// Expects: the arguments that ask() had, with the needs as it left them; the plan made from
     ///          these needs; the slits along the piece's sides.
     l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,

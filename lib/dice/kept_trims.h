@@ -56,7 +56,7 @@ public:
 private:
     struct of_grid {
         l3d_grid_trims trims;
-        std::uint64_t frame = 0; ///< the last frame that asked for it
+        std::uint64_t frame = 0; ///< the last frame that asked for this grid
     };
     struct of_patch {
         std::mutex mutex;

@@ -97,7 +97,7 @@ struct l3d_dice_view {
     double depth_scale = 1;     ///< the quotient of scaled w and distance along the view axis
 
     /// The w of the camera's target in a parallel projection; 0 in perspective. In a parallel
-    /// projection, all w differ from w_middle by at most this l3d_parallel_part of it, and depths
+    /// projection, all w differ from w_middle by at most l3d_parallel_part * w_middle, and depths
     /// are linear in w.
     double w_middle = 0;
 

@@ -162,10 +162,10 @@ public:
     /// Whether the model's patches approximate pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }
     /// The same curved model with finer or coarser patches; a model that is not curved is the same
-    /// at all levels. A level says how fine the patches are: one for places, another for normals.
-    /// Both run from 0, the coarsest, with which models are made, to most_level(). Two levels more
-    /// divide the error bound of places by 4, and that of normals by 8. This holds as long as no
-    /// more than 2^17 patches are needed.
+    /// at all levels. Levels say how fine the patches are: one level for the error of places,
+    /// another for that of normals. Both run from 0, the coarsest, with which models are made, to
+    /// most_level(). Two levels more divide the error bound of places by 4, and that of normals by
+    /// 8. This holds as long as no more than 2^17 patches are needed.
     /// Expects: 0 <= places, normals <= most_level().
     /// Cost:    some 20 us a patch when a level is first asked for. Its patches are kept as long as
     ///          any copy of the model lives.

@@ -280,10 +280,10 @@ public:
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
-    /// Lays a picture on the patches of an instance. A l3d_laid_picture without a texture takes the
-    /// picture away. Shades that show light show the picture; its light is multiplied by that of
-    /// the material. The picture stays when the instance is placed elsewhere, until another model
-    /// takes its place.
+    /// Lays a picture on the patches of an instance. An l3d_laid_picture without a texture takes
+    /// the picture away. Shades that show light show the picture; its light is multiplied by that
+    /// of the material. The picture stays when the instance is placed elsewhere, until another
+    /// model takes its place.
     /// Expects: an index of instances(); corners for no piece, or for each piece of the model.
     void lay(std::size_t index, const l3d_laid_picture& picture);
     /// Whether a picture lies on any instance.

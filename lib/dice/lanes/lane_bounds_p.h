@@ -30,7 +30,7 @@ struct lane_bounds {
     l3d_image_box hull, seen;
     double least_w = 0, most_w = 0;
     centred_net net;
-    l3d_block_needs needs; ///< needs of one block if the net is small, else of sixteen
+    l3d_block_needs needs; ///< needs of one block or of sixteen (l3d_is_one_block)
 };
 
 /// Finds the needs of a patch, with its blocks in lanes. The slow twin is l3d_needs_of. The needs

@@ -39,8 +39,8 @@ private:
 /// The parameters u and v of a place on a patch.
 using patch_place = std::array<double, 2>;
 
-/// A bicubic patch that bounds its second derivatives over rectangles of parameters, and finds near
-/// places.
+/// A bicubic patch that bounds its second derivatives over rectangles of parameters, and finds the
+/// place near to a given one.
 struct bent_patch {
     using patch = l3d_bezier_patch<double, 3>;
 

@@ -29,7 +29,7 @@ constexpr double factorial(std::size_t n) {
 }
 
 /// The factor that turns the Taylor coefficient of u^k v^l into a derivative by parameters from 0
-/// to 1 across the part. Those of the coefficients run twice as far, from -1 to 1.
+/// to 1 across the part. The coefficients' own parameters run twice as far, from -1 to 1.
 constexpr double as_derivative(std::size_t k, std::size_t l) {
     return factorial(k) * factorial(l) * static_cast<double>(std::size_t{1} << (k + l));
 }

@@ -126,7 +126,7 @@ private:
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
-    l3d_image_box margin_; ///< box of the wanted part of the picture
+    l3d_image_box margin_; ///< l3d_dice_view::margin of the wanted part of the picture
     bool is_part_ = false;
     l3d_dice_counts counts_;
 

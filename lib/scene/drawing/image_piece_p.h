@@ -149,6 +149,7 @@ struct image_piece {
 };
 
 ahead_of_near side_of_near(const bernstein_net& net, const drawing_view& view);
+/// The box of a net, in the picture and in depth.
 /// Expects: all in front of the near plane.
 image_bounds bounds_of(const bernstein_net& net);
 /// Whether all of a net is beyond one side of the picture, grown by a margin.
