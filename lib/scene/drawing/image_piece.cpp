@@ -255,8 +255,8 @@ image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>
 
 /// Bounds how far changes of u and v move a place in the picture. This bound tells how fine
 /// polygons must be to stand for trims. With P = (x, y) / w in the net's box, P' is ((x, y)' - P
-/// w') / w. Points with w far below the largest w are not counted. They would ask for millions of
-/// chords for parts that are hardly seen.
+/// w') / w. If the net reaches the near plane, w counts as at least a 16th of the largest w.
+/// Otherwise parts that are hardly seen would ask for millions of chords.
 double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
                          const drawing_view& view) {
     double most = 0, least = net.c[2];
