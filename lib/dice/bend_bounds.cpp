@@ -16,13 +16,13 @@ namespace {
 
 constexpr double per_cosine = double{l3d_level_of_cosine};
 
-/// Bounds the error of grey levels that interpolation does not make: rounding to a whole level, and
-/// float arithmetic. Its numbers are up to 2^8, and some 20 roundings of 2^-24 count as often as
-/// terms cancel.
+/// Bounds the error of shade levels that does not come from interpolation: rounding to a whole
+/// level, and float arithmetic. Numbers in this arithmetic are up to 2^8, and some 20 roundings of
+/// 2^-24 count as often as terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// Bounds |S_uuuv| and |S_uvvv| by the parameters of a piece's blocks: 18 times fourth differences
-/// of its control net.
+/// Bounds |S_uuuv| and |S_uvvv| by the parameters of a piece's blocks: 18 times the fourth
+/// differences of the piece's control net, scaled to a block.
 struct mixed_thirds {
     double uuuv = 0, uvvv = 0;
 
@@ -44,10 +44,11 @@ struct mixed_thirds {
     }
 };
 
-/// If pixels interpolate normals, blocks whose normals may err by more than this count as unproven.
+/// The largest proven error of normals where pixels interpolate normals. Blocks whose normals may
+/// err by more count as unproven.
 constexpr double most_normal = 1.0 / 64;
 
-/// Whether pixels interpolate the normals of vertices, not their levels.
+/// Whether pixels interpolate the normals of vertices, not their shade levels.
 bool takes_normals(const l3d_dice_view& view) {
     return !view.makes_levels() && view.shading.mode != l3d_shade::error;
 }
@@ -63,7 +64,8 @@ bool is_seen(const l3d_block_needs& needs, std::size_t i) {
     return needs.uu[i] + needs.uv[i] + needs.vv[i] > 0 || needs.least_u[i] + needs.least_v[i] > 0;
 }
 
-/// Keeps the bends of the blocks whose bits are set, and clears those of the others.
+/// Returns needs with the bends of the blocks whose bits are set. The bends of all other blocks are
+/// cleared.
 l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
     l3d_block_needs result = needs;
     for (std::size_t i = 0; i < l3d_block_needs::most_blocks; ++i)
@@ -72,13 +74,14 @@ l3d_block_needs only(const l3d_block_needs& needs, unsigned blocks) {
     return result;
 }
 
-/// Bounds the error of levels that are interpolated linearly over the two triangles of a quad.
+/// Bounds the error of shade levels that are interpolated linearly over the two triangles of a
+/// quad.
 double levels_off_linear(const l3d_bend_numbers<double>& b, double h_u, double h_v) {
     return per_cosine * ((h_u * h_u * b.n_uu + h_v * h_v * b.n_vv) / 8 + h_u * h_v * b.n_uv / 4);
 }
 
 /// Bounds the error of normals that are interpolated between corners: linearly over triangles, or
-/// bilinearly over a quad. Clipping normalizes interpolated normals at each of seven planes. That
+/// bilinearly over a quad. Clipping normalizes interpolated normals at each of seven planes, which
 /// adds at most the square of the angle between corners' normals (NUMERICS, section 24).
 double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bool clipped) {
     const double off = levels_off_linear(b, h_u, h_v) / per_cosine;
@@ -88,14 +91,15 @@ double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bo
     return apart <= 1 ? off + apart * apart : std::numeric_limits<double>::infinity();
 }
 
-/// Bounds the error of levels in the slit along a side whose steps are h. Its triangles reach at
-/// most `bent` along the side where levels bend, and `straight` where they are linear.
+/// Bounds the error of shade levels in the slit along a side whose steps are h. `bent` and
+/// `straight` are how far the slit's triangles reach along the side: with levels that are
+/// parabolas, and with linear levels (l3d_gap_spans).
 /// Units: parameters of the block.
 ///
 /// A triangle of the slit takes levels of the grid's row at its corners and at the middles of its
-/// sides. All six depend on one parameter. So the parabola through them errs as a parabola along a
-/// line. The row's own error counts 5/3 times, the most to which the sizes of six weights add up. A
-/// plane's weights are positive, so there it counts once.
+/// sides. All six levels depend on one parameter. So the parabola through them errs as a parabola
+/// along a line. The row's own error counts 5/3 times, the most to which the sizes of six weights
+/// add up. With linear levels the weights are positive, so the row's error counts once.
 double levels_off_slit(double h, double bent, double straight, double n_2, double n_3) {
     constexpr double of_six = 5.0 / 3;
     if (std::isinf(bent + straight)) // it reaches beyond the row's end
@@ -109,8 +113,8 @@ double levels_off_slit(double h, double bent, double straight, double n_2, doubl
     return off;
 }
 
-/// Bounds the error of normals that are interpolated linearly over a slit's triangles. Corners
-/// between the row's vertices have the error of the row's chords, and as much again for
+/// Bounds the error of normals that are interpolated linearly over a slit's triangles. A triangle's
+/// corner between the row's vertices has the error of the row's chords, and as much again from
 /// normalizing.
 double normals_off_slit(double h, double longest, double n_2, double turn) {
     if (std::isinf(longest)) // it reaches beyond the row's end
@@ -121,9 +125,9 @@ double normals_off_slit(double h, double longest, double n_2, double turn) {
 
 } // namespace
 
-/// Gives blocks without bounded normals numbers that hold anyway: whole second differences, as
-/// bends along the normal. Once vertices exist, l3d_most_off_plane measures how far their quads are
-/// off planes.
+/// Sets the bends of blocks whose normals have no bounds. Whole second differences bound their
+/// bends along any normal. Once vertices exist, l3d_most_off_plane measures how far the blocks'
+/// quads are off planes.
 void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_piece& of) const {
     unsigned without = 0;
     const auto count = static_cast<std::size_t>(strips * strips);
@@ -159,8 +163,9 @@ void l3d_bend_bounds::set_by_size(const l3d_patch_part& piece, int strips, of_pi
     }
 }
 
-/// Finds the bends of a piece's blocks. A piece is made by halving the patch. So each of its blocks
-/// lies in one of the patch's blocks or consists of several, and all factors are powers of two.
+/// Finds the bends of a piece's blocks. A piece is made by halving the patch. So each of the
+/// piece's blocks lies in one block of the patch or consists of several, and all factors are powers
+/// of two.
 auto l3d_bend_bounds::of_blocks(const l3d_patch_part& piece, int strips) const -> of_piece {
     of_piece result;
     const bool is_whole = piece.u1 - piece.u0 == 1 && piece.v1 - piece.v0 == 1;
@@ -381,9 +386,8 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
     return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }
 
-/// Asks for more steps where quads are too far from planes. More steps help: both the bounded and
-/// the measured error fall with their square. The error of snapping does not fall, and may exceed
-/// the budget.
+/// More steps help where quads are too far off planes: the bounded and the measured error fall with
+/// the square of the steps. The error of snapping does not fall, and may exceed the budget.
 bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                         const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs) {
     if (needs.without_normals == 0)

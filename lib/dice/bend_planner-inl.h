@@ -16,15 +16,15 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The factor of h^3 |N.S_uuu| in the error of a chord along the normal. It is the largest value of
-/// s (1 - s) ((1 - 2 s) / 6 + l3d_balance) over the chord. It holds whether balance moves one end
-/// of the chord, both or none.
+/// The factor of h^3 |N.S_uuu| in the error of a chord along the normal. The factor is the largest
+/// value of s (1 - s) ((1 - 2 s) / 6 + l3d_balance) over the chord. It holds whether balance moves
+/// one end of the chord, both ends or none.
 constexpr double of_moved_thirds = 0.0322;
 
 /// A cubic's difference over a step h is h times the derivative at a place s of the step, plus two
-/// further terms. These factors bound the terms: the first is that of h^2 times the second
-/// derivative, the other that of h^3 times the third. They are the largest values of (1 - 2 s) / 2
-/// and ((1 - s)^3 + s^3) / 6. Moved ends add l3d_balance.
+/// further terms. These two factors bound the terms. The first factor multiplies h^2 and the second
+/// derivative, the other multiplies h^3 and the third derivative. They are the largest values of (1
+/// - 2 s) / 2 and ((1 - s)^3 + s^3) / 6. Moved ends of the step add l3d_balance.
 constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
 constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 
@@ -34,8 +34,8 @@ constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 constexpr double of_fourths = 1.0 / 64 + l3d_balance / 4 + l3d_balance * l3d_balance +
                               of_difference_second * of_difference_second / 4;
 
-/// Bounds the errors of depth that given steps leave in each block. The planner compares them with
-/// the budget while it chooses steps. NUMERICS, section 3, Depth.
+/// Bounds the errors of depth that given steps leave in each block. l3d_plan_steps compares the
+/// bounds with the budget while it chooses steps. NUMERICS, section 3, Depth.
 class bend_planner {
 public:
     explicit bend_planner(const l3d_block_needs& needs)
@@ -53,7 +53,7 @@ public:
         fourth_.take(of.uuvv, strips_);
     }
 
-    /// Finds the largest second and third derivative of each strip.
+    /// Finds the largest second and third derivatives along d in each strip of direction d.
     HWY_INLINE void largest(direction d, double (&second)[most_strips],
                             double (&third)[most_strips]) const {
         largest_in_strips(second_[d], d, strips_, second);
@@ -78,8 +78,9 @@ public:
     }
 
     /// Bounds the errors of depth in slits along the piece's sides, where chords are not balanced.
-    /// A chord counts only in blocks in which it lies at a side. So `along_side` is 1 there for
-    /// chords along d, and 0 elsewhere; `at_side` is the same for chords along the other direction.
+    /// A chord counts only in blocks that have it at a side of the piece. `along_side` is 1 in
+    /// blocks with chords along d at a side, else 0. `at_side` is 1 in blocks with chords across d
+    /// at a side, else 0.
     HWY_INLINE lane_vec slit_errors(direction d, std::size_t strip, std::size_t lane,
                                     const strip_numbers& s, lane_vec along_side,
                                     lane_vec at_side) const {
@@ -93,8 +94,8 @@ private:
         return hn::Mul(hn::Set(lane_tag(), factor), v);
     }
 
-    /// Bounds the error of chords over steps h along `which`. `bend` is the factor of second
-    /// derivatives.
+    /// Bounds the error of chords over steps h along the direction `which`, in blocks of a strip of
+    /// direction d. `bend` is the factor of second derivatives.
     HWY_INLINE lane_vec chord(direction which, direction d, std::size_t strip, std::size_t lane,
                               lane_vec h, lane_vec bend) const {
         const lane_vec cube = hn::Mul(hn::Mul(h, h), h);
@@ -102,10 +103,10 @@ private:
                        times(of_moved_thirds, hn::Mul(cube, third_[which].in(d, strip, lane))));
     }
 
-    /// Bounds the last part of the corners' mixed difference, divided by both steps. It comes from
-    /// |S_uuuv|, |S_uvvv| and the fifth and sixth derivatives. By the piece's own parameters, these
-    /// are |S_uuuvv| <= 4 |S_uuuv|, |S_uuvvv| <= 4 |S_uvvv| and |S_uuuvvv| <= 8 |S_uuuv|. A block's
-    /// parameters run `strips` times as fast.
+    /// Bounds the last part of the corners' mixed difference, divided by both steps. This part
+    /// comes from |S_uuuv|, |S_uvvv| and the fifth and sixth derivatives. By the piece's own
+    /// parameters, the fifth and sixth derivatives are |S_uuuvv| <= 4 |S_uuuv|, |S_uuvvv| <= 4
+    /// |S_uvvv| and |S_uuuvvv| <= 8 |S_uuuv|. A block's parameters run `strips` times as fast.
     HWY_INLINE lane_vec rest(direction d, std::size_t strip, std::size_t lane,
                              const strip_numbers& s) const {
         const lane_vec one = hn::Set(lane_tag(), 1.0);

@@ -18,18 +18,19 @@ struct l3d_dice_vertex {
     double u = 0, v = 0;
 };
 
-/// How far the longest triangle of a slit reaches along the grid's side, block by block. The bounds
-/// of shade need it: an edge has steps of its own, so a triangle may span several steps of the
-/// grid.
+/// How far the longest triangle of a slit reaches along the grid's side, for each block of the
+/// side. Bounds of shade are computed from it: an edge has steps of its own, so a triangle may span
+/// several steps of the grid.
 /// Shape: [along u, along v][block of the side].
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
-    std::array<of_blocks, 2> bent{};     ///< for triangles whose levels are parabolas
-    std::array<of_blocks, 2> straight{}; ///< for triangles whose levels are planes
+    std::array<of_blocks, 2> bent{};     ///< for triangles whose shade levels are parabolas
+    std::array<of_blocks, 2> straight{}; ///< for triangles whose shade levels are linear
 };
 
-/// The distance of a drawn shape from what it stands for.
+/// The distance of a drawn shape from the exact shape that it stands for, in the picture and in
+/// depth.
 /// Units: pixels; `depth` in pixels at the place's own depth, in space.
 struct l3d_drawn_distance {
     double places = 0, depth = 0;
@@ -44,36 +45,38 @@ struct l3d_drawn_distance {
 /// stands for the exact surface point at (u[c], v[r]). Corner k of triangle i stands for the point
 /// at triangle_uv[k][i].
 ///
-/// Lives: one is reused from frame to frame for its memory.
+/// Lives: an object is used again from frame to frame for its memory.
 struct l3d_diced_piece {
     using parameters = l3d_patch_parameters;
 
     l3d_surface_part part;
     std::vector<double> u, v;
-    double bound = 0; ///< certified error of places in the grid, in pixels; the frame's bound holds
-                      ///< for triangles
+    /// The certified error of places in the grid, in pixels. For triangles, the bound of the whole
+    /// frame holds (l3d_dice_counts::bound_px).
+    double bound = 0;
     l3d_drawn_distance strips; ///< the largest distance of visible strips from their edges
     l3d_gap_spans slits;
-    bool has_levels = false; ///< vertices have levels and bends (l3d_micro_vertex), not normals
+    bool has_levels = false; ///< vertices have shade levels and bends, not normals
 
-    /// Whether triangle_uv and border_along are filled in; pictures on surfaces, inspections and
+    /// Whether triangle_uv and border_along are filled in. Pictures on surfaces, inspections and
     /// tests need them.
     bool keep_parameters = false;
     std::array<std::vector<parameters>, 3> triangle_uv;
-    /// The two ends of each edge of the part's border, as parameters along its side of the grid.
-    /// Pieces without a grid leave it empty.
+    /// The two ends of each edge of the part's border, as parameters along the side of the grid
+    /// where the edge lies. Pieces without a grid leave the list empty.
     std::vector<std::array<double, 2>> border_along;
 
     /// A place on a side of the piece where the border of a trimmed region follows an edge of the
-    /// model. The slit beside it goes on from there.
+    /// model. Where the slit beside the side is cut there, a strip fills what is between the cut
+    /// and the edge.
     struct crossing {
-        std::array<double, 2> at; ///< u, v
+        std::array<double, 2> at; ///< the place's parameters u and v
         std::uint32_t edge;
         double t; ///< the edge's parameter
     };
     std::vector<crossing> crossings;
 
-    /// Removes grid and triangles; keeps the memory.
+    /// Removes grid and triangles, but keeps their memory.
     void clear() {
         part.grid.rows = part.grid.columns = 0;
         part.triangles.clear();

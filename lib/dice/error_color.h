@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cstdint>
 
-/// Makes the pixel word that shows a certified error in mode `error`. It is green for no error,
-/// yellow at half of the tolerance, and red at the whole tolerance and beyond.
+/// Makes the pixel word that shows a certified error in mode `error`. The colour is green for no
+/// error, yellow at half of the tolerance, and red from the tolerance on.
 ///
 /// Units:   both arguments in the same unit, such as pixels.
 /// Expects: neither is NaN; the tolerance is positive and finite.

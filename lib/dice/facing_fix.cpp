@@ -26,7 +26,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The most vertices along a side of a grid.
+/// The largest number of vertices along a side of a grid.
 constexpr std::size_t most_along =
     std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1;
 
@@ -52,13 +52,14 @@ HWY_ATTR float only_side(const l3d_micro_grid& grid, const float* away) {
     return hn::GetLane(hn::MinOfLanes(d, least)) > 0 ? -1.0F : 0.0F;
 }
 
-/// A vertex on a grid's border, its inner neighbour, and the bend of the side between them.
+/// A vertex on a grid's border, its inner neighbour, and where the grid keeps the bend of the side
+/// between them.
 struct border_side {
     std::size_t at, inner;
     std::size_t component, bend_at; ///< indices into l3d_micro_grid::normal
 };
 
-/// Calls visit(border_side) for each vertex on the border.
+/// Calls visit(border_side) for each vertex on a grid's border.
 template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& visit) {
     const auto pitch = static_cast<std::size_t>(grid.pitch);
     for (int column = 0; column < grid.columns; ++column) {
@@ -76,8 +77,9 @@ template <class Visit> void for_border(const l3d_micro_grid& grid, const Visit& 
 /// Returns the sign that turns a grid's normals or levels to the eye. The sign is 1 if the grid
 /// shows both sides, so that normals stay dS/du x dS/dv.
 ///
-/// First corrects the border. It calls negate(vertex) for each border vertex that shows another
-/// side than its inner neighbour, if is_other(border_side) blames the vertex's normal.
+/// First corrects the grid's border. Calls negate(vertex) for each border vertex that shows another
+/// side than its inner neighbour, if is_other(border_side) finds that the vertex's normal is the
+/// cause.
 template <class IsOther, class Negate>
 HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& is_other,
                              const Negate& negate) {
@@ -95,8 +97,8 @@ HWY_ATTR float sign_of_light(l3d_micro_grid& grid, float* away, const IsOther& i
     return grid.shows_both ? 1 : side;
 }
 
-/// Calls visit(at, down) for each vector of vertices. `at` is the index of the first, and `down`
-/// the offset of the next row, 0 in the last row.
+/// Calls visit(at, down) for each vector of vertices. `at` is the index of the vector's first
+/// vertex. `down` is the offset of the next row, or 0 in the last row.
 template <class Visit>
 HWY_ATTR HWY_INLINE void for_vertices(const l3d_micro_grid& grid, const Visit& visit) {
     const auto pitch = static_cast<std::size_t>(grid.pitch);
@@ -129,8 +131,8 @@ HWY_ATTR void turn_normals(float* away, l3d_micro_grid& grid) {
 }
 
 /// Turns the levels of vertices and the bends of sides to the visible side of the surface. A bend
-/// says how far the level in a side's middle is above the mean of its ends' levels. It is 0 where
-/// an end's level was negated, since the middle's is unknown there.
+/// says how far the level in a side's middle is above the mean of its ends' levels. The bend is 0
+/// if the level of one end was negated, since the middle's level is then unknown.
 HWY_ATTR void turn_levels(float* away, float* level, l3d_micro_grid& grid) {
     const floats d;
     const auto is_other = [&](const border_side& of) {

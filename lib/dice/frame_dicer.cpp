@@ -24,19 +24,20 @@ l3d_vector<double, 4> as_direction(const l3d_vector<double, 3>& v) {
     return {v[0], v[1], v[2], 0.0};
 }
 
-/// The tolerance for which trimmed patches are diced. It is smaller, since the corners that trims
-/// make are snapped once more.
+/// The tolerance for which trimmed patches are diced. It is smaller than the view's, since the
+/// corners that trims make are snapped once more.
 double trimmed_tolerance(const l3d_dice_view& view) {
     return std::max(view.tolerance - l3d_trimmed_snap(view), view.tolerance / 2);
 }
 
-/// Whether the net's own near plane cuts off a part of it that the camera's would leave.
+/// Whether the near plane of a net's own view cuts off a part of the net that the camera's near
+/// plane would leave.
 bool is_pushed_away(const l3d_image_net& net, const l3d_dice_view& view, double camera_near) {
     return view.near != camera_near && net.w().least < view.near && net.w().most > camera_near;
 }
 
-/// For each of a piece's blocks along u or v, finds the patch's block that holds it. The piece is a
-/// part of the patch by halves.
+/// For each of a piece's blocks along u or v, finds the patch's block that holds it. The piece was
+/// made by halving the patch.
 std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
     const double low = parameters.front(), size = parameters.back() - low;
     std::array<std::size_t, 4> result;
@@ -45,7 +46,8 @@ std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
     return result;
 }
 
-/// Finds the piece's blocks that lie in the blocks `backs` of its patch, and counts them.
+/// Finds the piece's blocks that lie in the blocks `backs` of its patch. Counts these blocks and
+/// their quads.
 unsigned counted_backs(const l3d_diced_piece& piece, unsigned backs, l3d_dice_counts& counts) {
     constexpr std::size_t across = l3d_block_starts::most_blocks;
     const l3d_surface_part& part = piece.part;
@@ -165,7 +167,8 @@ void l3d_frame_dicer<T>::name_polygons(std::size_t i, const l3d_detail::painted_
     }
 }
 
-/// Makes the polylines of edges that patches of a batch follow, unless an earlier batch did.
+/// Makes the polylines of edges that patches of a batch follow, for each instance that has none in
+/// this frame.
 template <class T> void l3d_frame_dicer<T>::make_polylines(const task& of) {
     for (const l3d_placed_patch& p : of.batch) {
         const l3d_patch_model& model = of.scene.instances()[p.instance].model();
@@ -197,7 +200,7 @@ template <class T> void l3d_frame_dicer<T>::prepare_trims(const task& of) {
     }
 }
 
-/// Dices the slots that are wanted.
+/// Dices the slots in wanted_, on all workers. Each may spend `share` of the budget.
 template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int64_t share) {
     by_height_.clear();
     for (const std::size_t i : wanted_)
@@ -338,8 +341,8 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
 }
 
 /// Builds the edges of a patch. An edge has the errors of its own points, which are the same for
-/// all patches that share it. If two smaller patches lie beyond an edge, it consists of their two
-/// edges.
+/// all patches that share the edge. If two smaller patches lie beyond an edge, the edge consists of
+/// their two edges.
 template <class T>
 void l3d_frame_dicer<T>::build_edges(const l3d_patch_instance& instance,
                                      const l3d_matrix<double>& to_image, std::size_t patch,
@@ -389,9 +392,9 @@ template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
 }
 
 /// Finds the blocks of a patch that back-face culling leaves out, since only their backs are turned
-/// to the eye. With one-sided surfaces, it may leave out such blocks of any patch. Otherwise the
-/// patch must belong to a closed body that is wholly in front of the near plane and not opened by a
-/// section. The body's front hides its backs.
+/// to the eye. With one-sided surfaces, such blocks of any patch are left out. With two-sided
+/// surfaces, the patch must belong to a closed body that is wholly in front of the near plane and
+/// not opened by a section. The body's front hides its backs.
 template <class T>
 unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {
@@ -410,8 +413,8 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
     return eye ? model.facing(patch).away_from(*eye, side) : 0;
 }
 
-/// Finds the blocks of a patch that may fold over: they are not known to turn one side alone to the
-/// eye.
+/// Finds the blocks of a patch that may fold over as seen from the eye. These are the blocks that
+/// are not proven to show one side alone.
 template <class T>
 unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {
@@ -422,8 +425,8 @@ unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
     return l3d_facing_cones::all & ~(facing.away_from(*eye, 1) | facing.away_from(*eye, -1));
 }
 
-/// Cuts a patch's pieces at its trims. A patch is one grid, unless it was cut into pieces, so
-/// mostly the kept trims of the model serve.
+/// Cuts a patch's pieces at its trims. For a patch of one grid, the model's kept trims are used.
+/// For a patch that was cut into pieces, trims are made for each piece.
 template <class T>
 void l3d_frame_dicer<T>::trim(const l3d_patch_model& model, std::size_t patch, l3d_piece_pool& out,
                               bool keeps_parameters, worker_space& space) {

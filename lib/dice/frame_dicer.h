@@ -26,30 +26,31 @@
 #include <span>
 #include <vector>
 
-/// Which dicer gets a patch that both can dice.
+/// Which dicer gets a patch that both the lane dicer and the general dicer can dice.
 enum class l3d_dice_way {
-    lanes,  ///< the fast one, in SIMD lanes; the general one takes the rest
-    general ///< the general one, its slow twin, takes all patches
+    lanes,  ///< l3d_lane_dicer, in SIMD lanes; l3d_patch_dicer takes the rest
+    general ///< l3d_patch_dicer, the lane dicer's slow twin, takes all
 };
 
 /// Dices the patches of a frame, batch by batch, into parts for the rasterizer.
 ///
 /// A patch and the view alone decide how the patch is diced, as long as the frame's budget lasts.
-/// If the budget runs short, the patches of this batch and of earlier ones decide, too. Parts come
-/// in the order of their patches. So nothing depends on the workers.
+/// If the budget runs short, the patches of this batch and of earlier batches decide, too. Parts
+/// come in the order of their patches. So the result does not depend on the number or the speed of
+/// workers.
 ///
-/// Each batch may spend half of the budget that is left, and the last batch all of it. The patches
-/// of a batch get equal shares. Patches that keep the tolerance with less leave the rest to the
-/// others. These are diced again, as long as that at least doubles their shares. So no frame costs
-/// twice its budget.
+/// Each batch may spend half of the budget that is left, and the last batch all that is left. The
+/// patches of a batch get equal shares. Patches that keep the tolerance with less than their share
+/// leave the rest to the other patches. These are diced again, as long as that at least doubles
+/// their shares. So no frame costs twice its budget.
 ///
 /// For a shade that inspects surfaces, vertices have their parameters in place of normals. Then the
-/// material of a part is the index of its patch in all batches of the frame. In a frame with
-/// paints, the parameters of vertices are kept, too.
+/// material of a part is the index of the part's patch among all patches of the frame. In a frame
+/// with pictures on surfaces, the parameters of vertices are kept, too.
 /// Lives: borrows the workers. Parts live until the next batch, or as long as keep_batches() says.
 /// Cost:  no allocation in a frame whose patches and batches were drawn before. Otherwise a worker
 ///        allocates for a patch that is larger than any other in the frame. A slot (the i-th place
-///        of a batch) allocates for a patch larger than any it held.
+///        of a batch) allocates for a patch larger than all that it held before.
 template <class T> class l3d_frame_dicer {
 public:
     explicit l3d_frame_dicer(l3d_workers& workers, l3d_dice_way way = l3d_dice_way::lanes,
@@ -57,8 +58,8 @@ public:
         : workers_(workers), way_(way), keep_parameters_(keep_parameters),
           each_worker_(static_cast<std::size_t>(workers.count())) {}
 
-    /// Sets whether the parts of all batches live until the next frame begins, from the next frame
-    /// on.
+    /// Sets, from the next frame on, whether the parts of all batches live until the following
+    /// frame begins.
     void keep_batches(bool keep) { keeps_batches_ = keep; }
 
     /// Starts a frame. Expects: tolerance > 0, near > 0.
@@ -70,15 +71,16 @@ public:
                                                   const l3d_scene_culling& culling,
                                                   std::span<const l3d_placed_patch> batch);
 
-    /// The pieces of patch i of the last batch. They have the parameters of all vertices if these
-    /// are kept.
+    /// The pieces of patch i of the last batch. They have the parameters of all vertices if the
+    /// dicer keeps parameters.
     std::span<const l3d_diced_piece> pieces(std::size_t i) const {
         return slots_[first_slot_ + i].used();
     }
 
     /// Gives each quad and triangle of patch i of the last batch a number of its own, a name, in
-    /// place of a material. Notes the names in `to`. Pieces for which not enough names are left
-    /// keep their material.
+    /// place of a material. By its name, the rasterizer finds the parameters of a polygon under a
+    /// picture. The names are noted in `to`. Pieces for which not enough names are left keep their
+    /// material.
     /// Expects: a shading with paints; `like` has material, texture and map; `next` is the next
     ///          free name.
     void name_polygons(std::size_t i, const l3d_detail::painted_part& like, std::size_t& next,
@@ -89,7 +91,7 @@ public:
 
 private:
     /// The memory of a worker. Shape: it begins a pair of cache lines, so that no two workers share
-    /// one.
+    /// a line.
     struct alignas(128) worker_space {
         l3d_lane_dicer<T> lanes;
         l3d_patch_dicer<T> general;
@@ -97,8 +99,9 @@ private:
         l3d_dice_view view; ///< the frame's view, with the errors of the patch that is being diced
         l3d_dice_counts counts;
         l3d_bend_bounds bends; ///< bends of the patch that is being diced
-        std::optional<l3d_surface_bends>
-            own_bends; ///< computed where the placement is no similarity
+        /// The bends of the patch that is being diced, computed where its placement is no
+        /// similarity.
+        std::optional<l3d_surface_bends> own_bends;
         l3d_trim_cells trims;
         l3d_grid_trims trims_of_piece; ///< used where a patch has several pieces
         l3d_grid_trims::workshop workshop;
@@ -109,7 +112,7 @@ private:
         }
     };
 
-    /// The result of a patch of the batch.
+    /// The counts and the cost of dicing one patch of the batch.
     struct outcome {
         l3d_dice_counts counts;
         std::int64_t cost = 0;
@@ -141,7 +144,8 @@ private:
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
                     l3d_piece_pool& out, l3d_dice_budget& budget, worker_space& space) const;
 
-    /// The polylines of an instance's edges, made when the first patch of it follows an edge.
+    /// The polylines of an instance's edges. They are made when the first patch of the instance
+    /// that follows an edge is diced.
     struct instance_edges {
         bool is_made = false;
         std::vector<l3d_shared_polyline> lines;
@@ -160,8 +164,8 @@ private:
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
     std::vector<l3d_piece_pool> slots_; ///< one for each patch of a batch, or of all batches
-    std::size_t first_slot_ = 0,
-                next_slot_ = 0;      ///< the first slot of the last batch; the first one behind it
+    /// The index of the first slot of the last batch, and of the first slot behind the batch.
+    std::size_t first_slot_ = 0, next_slot_ = 0;
     std::size_t patches_before_ = 0; ///< patches in the frame's batches before the last one
     bool keeps_batches_ = false;
     std::vector<outcome> outcomes_;   ///< one for each patch of the last batch

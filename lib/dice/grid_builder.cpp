@@ -14,8 +14,8 @@
 
 namespace {
 
-/// Calls visit(column, u-strip, local u) for each column. The last one lies at the end of the last
-/// strip.
+/// Calls visit(column, u-strip, u in the strip) for each column of a plan. The last column lies at
+/// the end of the last strip.
 template <class Visit> void for_columns(const l3d_step_plan& plan, Visit visit) {
     std::size_t column = 0;
     for (int a = 0; a < plan.strips; ++a) {
@@ -26,8 +26,8 @@ template <class Visit> void for_columns(const l3d_step_plan& plan, Visit visit) 
     visit(column, static_cast<std::size_t>(plan.strips - 1), 1.0);
 }
 
-/// The column at `u` of a block as a curve in v. It is balanced if it lies between the strip's
-/// ends.
+/// The column at `u` of a block as a curve in v. A column between the strip's ends is balanced if
+/// `balanced`.
 l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, bool balanced) {
     l3d_image_curve column = block.curve_at_u(u);
     if (balanced && u > 0 && u < 1)
@@ -37,16 +37,16 @@ l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, boo
     return column;
 }
 
-/// Tells the sign of a triangle's light. If all corners show one side, the triangle shows that
-/// side. If an outline passes through, the triangle's turn in the picture decides: to the right, it
-/// shows the side opposite to the normals.
+/// The factor 1 or -1 that turns a triangle's light to the side that it shows. If all corners show
+/// one side, the triangle shows that side. If an outline passes through, the triangle's turn in the
+/// picture decides. A triangle that turns to the right shows the side opposite to the normals.
 float side_of(const std::array<l3d_clip_vertex, 3>& v) {
     if (v[0].away == v[1].away && v[1].away == v[2].away)
         return v[0].away ? -1.0F : 1.0F;
     return l3d_dot(v[0].h, l3d_cross(v[1].h, v[2].h)) > 0 ? -1.0F : 1.0F;
 }
 
-/// The coordinates of a place of the patch in a box, from 0 to 1.
+/// The place of parameters `at` relative to a box of parameters, from 0 to 1 across the box.
 l3d_trim_place part_of(const l3d_trim_box& box, const l3d_trim_place& at) {
     return {(at[0] - box.least[0]) / (box.most[0] - box.least[0]),
             (at[1] - box.least[1]) / (box.most[1] - box.least[1])};
@@ -177,7 +177,7 @@ void l3d_grid_builder<T>::walk_rows(const l3d_piece_bounds<T>& nets, const l3d_s
     emit();
 }
 
-/// Evaluates every vertex by itself, since vertices may lie anywhere, even behind the eye.
+/// Evaluates every vertex of a piece by itself. The vertices may lie anywhere, even behind the eye.
 template <class T>
 void l3d_grid_builder<T>::evaluate_grid(const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
                                         const l3d_diced_piece& out) {
@@ -235,8 +235,8 @@ template <class T> void l3d_grid_builder<T>::copy_evaluated(l3d_micro_grid& grid
         }
 }
 
-/// Moves corners to their canonical places. Pieces that share a corner walk to it in different
-/// ways.
+/// Moves the grid's corners to the places that l3d_canonical_vertex gives them. Pieces that share a
+/// corner may walk to it in different ways.
 template <class T>
 void l3d_grid_builder<T>::set_grid_corners(const piece& p, l3d_micro_grid& grid) const {
     for (const bool high_v : {false, true})
@@ -303,7 +303,7 @@ template <class T> void l3d_grid_builder<T>::add_clipped_quads(l3d_diced_piece& 
     l3d_for_trimmed_blocks(view_.trim->within(box_of(all)), out.u, out.v, all, take);
 }
 
-/// The vertex at a place of a quad, interpolated before projection. The place is in the patch's
+/// The vertex at a place of a quad, interpolated before projection. `at` has the patch's
 /// parameters.
 template <class T>
 l3d_clip_vertex l3d_grid_builder<T>::corner_at(const l3d_trim_block& quad, const l3d_trim_box& box,
@@ -352,8 +352,8 @@ void l3d_grid_builder<T>::add_trimmed(const l3d_trim_block& quad,
     l3d_clip_triangle(corners[0], corners[1], corners[2], view_, out);
 }
 
-/// Adds the strip between a part of the region's border and its edge. It gets the light of the
-/// triangle beside it.
+/// Adds the strip between a part of the trimmed region's border and the edge that the part follows.
+/// The strip gets the light of the triangle beside it.
 template <class T>
 void l3d_grid_builder<T>::add_strip(const l3d_trim_use& use,
                                     const std::array<l3d_clip_vertex, 2>& border,
@@ -388,8 +388,8 @@ void l3d_grid_builder<T>::add_clipped_block(const l3d_trim_block& of, l3d_diced_
         }
 }
 
-/// Gives one of the two triangles of a clipped piece's quad. The first one has its sides along low
-/// v and high u.
+/// The corners of one of the two triangles of a clipped piece's quad. The first triangle has sides
+/// along low v and high u.
 template <class T>
 auto l3d_grid_builder<T>::half_of_quad(int row, int column, bool first) const -> corners_of_half {
     const l3d_clip_vertex &a = clip_vertex(row, column), &e = clip_vertex(row + 1, column + 1);
@@ -414,7 +414,8 @@ l3d_clip_vertex l3d_grid_builder<T>::grid_vertex(const piece& p, const l3d_micro
     return v;
 }
 
-/// Fills the slit along one side of a grid, whose vertices `vertex_at` gives.
+/// Fills the slit along one side of a piece. `vertex_at` gives the vertices along the side, and
+/// `side_at` the sign of the light beside each.
 template <class T>
 template <class VertexAt, class SideAt>
 void l3d_grid_builder<T>::fill_slit(const piece& p, std::size_t side, VertexAt vertex_at,

@@ -17,11 +17,11 @@
 #include <array>
 #include <vector>
 
-/// Makes grids or triangles of pieces, with given steps. The dicer chooses the pieces and the
-/// steps.
+/// Makes the grids or triangles of pieces. l3d_patch_dicer chooses the pieces and the steps.
 ///
-/// A piece that needs no clipping becomes a grid. Forward differences walk its rows. Any other
-/// piece becomes clipped triangles. Along each side, triangles fill the slit to the side's edge.
+/// A piece that needs no clipping becomes a grid, whose rows are walked by forward differences. Any
+/// other piece becomes clipped triangles. Along each side, triangles fill the slit between the
+/// piece and the polyline of the side's edge.
 /// Cost: no allocation once the largest piece has been seen.
 template <class T> class l3d_grid_builder {
 public:
@@ -32,19 +32,19 @@ public:
     void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
                const l3d_edge_polylines& edges);
 
-    /// Draws a piece and its slits.
-    /// Expects: the sides of the piece name edges of those given to begin().
+    /// Draws a piece and its slits: adds them to `out`.
+    /// Expects: the sides of the piece name edges that were given to begin().
     void draw(const piece& p, const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
               l3d_diced_piece& out);
 
-    /// Completes a piece that needs no clipping, after its grid: it moves the corners to their
-    /// common places, and fills the slits.
+    /// Completes a piece that needs no clipping, whose grid is in `out`. It moves the grid's
+    /// corners to the places that neighbours use, too, and fills the slits.
     /// Expects: the grid's blocks, out.u and out.v are written.
     void close(const piece& p, l3d_diced_piece& out);
 
     /// Fills the slits of a piece outside the window. The piece itself is not diced, but its slits
-    /// may reach into the window. In its slits, a straight row between two corners stands for each
-    /// side.
+    /// may reach into the window. In the slits, a straight row between two corners stands for each
+    /// side of the piece.
     void close_hidden(const piece& p, l3d_diced_piece& out);
 
     /// Reserves memory, so that pieces no larger than any of `other` allocate nothing.

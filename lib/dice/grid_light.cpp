@@ -21,8 +21,8 @@ float level_at(const l3d_shading& shading, const l3d_normal_net& normals, double
     return level_of(shading, l3d_unit_normal(normals.evaluate(u, v)).data());
 }
 
-/// Puts the levels of vertices into `level`. Puts the levels of the middles of sides along u and v
-/// in place of the normals' components 1 and 2.
+/// Writes the shade levels of vertices into `level`. Writes the levels of the middles of sides
+/// along u and v in place of the normals' components 1 and 2.
 void put_levels(const l3d_shading& shading, const l3d_normal_net& normals, l3d_diced_piece& piece,
                 std::vector<float>& level) {
     l3d_micro_grid& grid = piece.part.grid;

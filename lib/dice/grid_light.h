@@ -13,18 +13,18 @@
 /// Brings a normal to unit length. A zero normal stays zero.
 void l3d_make_unit(float (&normal)[3]);
 
-/// Lights a vertex: replaces its unit normal by its level, without bends, if the view makes levels.
-/// Returns whether the normal points away from the eye, so that the caller has to negate the
-/// result.
+/// Lights a vertex. If the view makes levels, the vertex' unit normal is replaced by its shade
+/// level, without bends. Returns whether the normal points away from the eye; the caller then has
+/// to negate the numbers in `normal`.
 ///
 /// Shape: h is the homogeneous vertex, before the division; it may be behind the eye.
 bool l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]);
 
-/// Lights a piece's grid: turns its normals to the visible side, or replaces them by levels and
-/// bends, evaluated one by one. This is the slow twin of l3d_detail::levels_in_lanes.
+/// Lights a piece's grid: turns its normals to the visible side, or replaces them by shade levels
+/// and bends, which are evaluated one by one. This is the slow twin of l3d_detail::levels_in_lanes.
 ///
-/// Expects: the grid's places, unit normals and parameters are there.
-/// Cost:    none but memory that `memory` does not have yet; it is kept from piece to piece.
+/// Expects: the grid's places, unit normals and parameters are written.
+/// Cost:    allocates only if `memory`, which is kept from piece to piece, is too small.
 void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
                     l3d_diced_piece& piece, std::array<std::vector<float>, 2>& memory);
 

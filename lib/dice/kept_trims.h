@@ -14,22 +14,23 @@
 #include <span>
 #include <vector>
 
-/// Keeps which quads of a model's patches trims leave. Instances that dice a patch alike share the
-/// result. Most grids have the same lines as in the frame before, and their result is used again.
+/// Keeps, for grids of a model's patches, which parts of their quads the trims leave. Instances
+/// whose grids of a patch have the same lines share the result. Most grids have the same lines as
+/// in the frame before, so their results are used again.
 ///
-/// Lives: a result lives as long as each frame asks for it. The object keeps its model alive.
+/// Lives: a result lives as long as every frame asks for it. The object keeps its model alive.
 /// Cost:  no allocation for grids that the frame before had.
 class l3d_kept_trims {
 public:
     explicit l3d_kept_trims(const l3d_patch_model& model)
         : model_(model), patches_(model.patches().size()) {}
 
-    /// Tells that this frame draws the model.
+    /// Notes that the frame with this number draws the model.
     void take_frame(std::uint64_t frame) { frame_ = frame; }
 
-    /// Returns what trims leave of a grid of this patch with these lines. Finds it, or makes it.
-    /// Several threads may ask at once.
-    /// Lives: until forget_all_but() is called after a frame that does not ask for it.
+    /// Returns what trims leave of a grid of this patch, whose lines are at the parameters u and v.
+    /// The result is made if it is not kept yet. Several threads may call at once.
+    /// Lives: until forget_all_but() is called for a frame that did not ask for this grid.
     const l3d_grid_trims& of(std::size_t patch, std::span<const double> u,
                              std::span<const double> v, l3d_grid_trims::workshop& in) {
         of_patch& all = patches_[patch];
@@ -55,7 +56,7 @@ public:
 private:
     struct of_grid {
         l3d_grid_trims trims;
-        std::uint64_t frame = 0; ///< the last frame that asked for it
+        std::uint64_t frame = 0; ///< the last frame that asked for this grid
     };
     struct of_patch {
         std::mutex mutex;

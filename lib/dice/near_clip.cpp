@@ -13,8 +13,8 @@
 
 namespace {
 
-/// A clipped triangle. Each of seven planes adds at most one corner, so there are at most ten.
-/// Rounding can make a needle turn back and forth across a plane. It covers nothing, so its excess
+/// A clipped triangle. Each of seven planes adds at most one corner, so it has at most ten corners.
+/// Rounding can make a needle cross a plane back and forth. A needle covers nothing, so its excess
 /// corners are dropped.
 struct polygon {
     std::array<l3d_clip_vertex, 10> corners;
@@ -29,11 +29,11 @@ struct polygon {
     }
 };
 
-/// A half-space n.h >= d of homogeneous points.
+/// A plane that clips: it leaves the half-space n.h >= d of homogeneous points.
 struct plane {
     l3d_image_point normal;
     double offset = 0;
-    bool makes_border = false; ///< whether it may cut inside of the picture
+    bool makes_border = false; ///< whether the plane may cut inside of the picture
 
     double distance(const l3d_image_point& h) const { return l3d_dot(normal, h) - offset; }
 };
@@ -45,8 +45,8 @@ bool before(const l3d_image_point& a, const l3d_image_point& b) {
     return false;
 }
 
-/// Finds the point where the edge from a to b crosses the plane. It is the same, bit for bit, from
-/// b to a.
+/// Finds the point where the edge from a to b crosses the plane. The result for the edge from b to
+/// a is the same, bit for bit.
 l3d_clip_vertex crossing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const plane& cut,
                          const l3d_dice_view& view) {
     if (before(b.h, a.h))
@@ -92,7 +92,7 @@ std::array<plane, 7> planes_of(const l3d_dice_view& view) {
              {{0, -1, g}, 0}}};
 }
 
-/// Gives a drawable point its pixel position.
+/// Sets the place and depth in the picture of a drawable point.
 void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     const l3d_snapped s = l3d_snap(v.h[0], v.h[1], v.h[2]);
     v.dice.vertex.x = s.x + view.centre_x();
@@ -101,8 +101,8 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     v.drawable = true;
 }
 
-/// Notes the sides of a polygon that are new borders. The polygon's fan of triangles begins at
-/// index `first`.
+/// Notes the sides of a clipped polygon that planes made as borders of out.part. The polygon's
+/// triangles begin at index `first` there.
 void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
     for (std::size_t i = 0; i < shape.count; ++i) {
         if (!shape.is_cut[i])

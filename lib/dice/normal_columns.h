@@ -9,18 +9,19 @@
 #include <cstddef>
 #include <vector>
 
-/// Makes a unit vector of a normal; zero where the normal may be rounding alone.
+/// Makes a unit vector of a normal. The result is zero if the normal is so short that it may be
+/// rounding alone.
 ///
 /// Expects: a normal evaluated in double from a net whose largest coefficient is 1.
 std::array<float, 3> l3d_unit_normal(const l3d_normal_net::vector& normal);
 
-/// Evaluates a patch's normals row by row, at fixed values of u. Each column holds the normal
-/// polynomial at its u.
+/// Evaluates a patch's normals row by row, at fixed values of u. Each column of a grid holds the
+/// polynomial in v of the normals at the column's u.
 ///
-/// Shape: one array for each power of v and component, with the columns side by side.
+/// Shape: one array for each power of v and each component, with the columns side by side.
 class l3d_normal_columns {
 public:
-    /// Cost: allocates only when wider than ever before.
+    /// Cost: allocates only if there are more columns than ever before.
     void resize(std::size_t columns);
 
     /// The number of columns for which there is memory.

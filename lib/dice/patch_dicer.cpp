@@ -8,11 +8,11 @@
 
 namespace {
 
-/// The most halvings of a piece. After so many, parameters are still exact in doubles, with room
-/// for strips' quarters.
+/// The largest number of halvings of a piece. After so many, parameters are still exact in doubles,
+/// with room for strips' quarters.
 constexpr int deepest = 48;
 
-/// The most vertices that are left for the pieces that still wait when no more are cut.
+/// The largest number of vertices of all pieces that still wait when no piece is cut any more.
 constexpr std::int64_t most_left_samples = l3d_most_samples / 8;
 
 /// The number of vertices of a plan's grid.
@@ -29,16 +29,17 @@ std::int64_t cost_of(const l3d_step_plan& plan, bool in_lanes) {
     return samples_of(plan) * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
-/// The cost of a piece's coarsest grid: 25 samples, for four strips of one step each way. So much
-/// is reserved for each waiting piece.
+/// The cost of a piece's coarsest grid: 25 samples, for four strips of one step each way. The
+/// budget reserves this cost for each waiting piece.
 constexpr std::int64_t least_cost = 25 * l3d_evaluated_cost;
 
 /// The factor by which a clipped piece's bounds grow if w of its chords errs by `error` instead of
 /// the planned near / 2.
 ///
-/// Errors are divided by the exact w. Where the interpolated w is near, it is at least w = near -
-/// error. The transform's error of w is at most near / 32, and counts in w once more: (1/2 - 1/32)
-/// / (1/4 - 1/32) is less than 1.25 times 2. Below w = near / 4 there is no bound.
+/// Errors are divided by the exact w. Where the interpolated w is `near`, the exact w is at least
+/// near - error. The transform's error of w is at most near / 32, and is subtracted once more: (1/2
+/// - 1/32) / (1/4 - 1/32) is less than 1.25 times 2. If near - error is below near / 4, there is no
+/// bound.
 double growth_by_depth(double error, double near) {
     const double w = near - error;
     if (w >= near / 2)
@@ -46,7 +47,7 @@ double growth_by_depth(double error, double near) {
     return w >= near / 4 ? 1.25 * near / (2 * w) : std::numeric_limits<double>::infinity();
 }
 
-/// Bounds the error of w that the chords of a plan's triangles make.
+/// Bounds the error of w in the chords of a plan's triangles.
 double depth_error(const l3d_image_patch& net, const l3d_step_plan& plan) {
     const auto strips = static_cast<std::size_t>(plan.strips);
     const auto least = [&](const auto& steps) {
@@ -87,8 +88,8 @@ void l3d_patch_dicer<T>::dice(const l3d_image_patch& net, const l3d_normal_net& 
     }
 }
 
-/// Whether one more piece has to be cut, and may be: the budget must still draw its halves and all
-/// waiting pieces.
+/// Whether a piece has to be cut and may be cut. The budget must then suffice for drawing its
+/// halves and all waiting pieces.
 template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
     if (waiting_.empty() || waiting_.front().excess <= 1)
         return false;
@@ -97,14 +98,16 @@ template <class T> bool l3d_patch_dicer<T>::may_cut(const task& of) const {
     return !of.budget.is_short;
 }
 
-/// Whether a grid of this plan may be drawn at once. The budget must still draw all waiting pieces.
+/// Whether a grid of this plan may be drawn at once. The rest of the budget must suffice for
+/// drawing all waiting pieces.
 template <class T>
 bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool in_lanes, const task& of) const {
     const std::int64_t kept = static_cast<std::int64_t>(waiting_.size()) * least_cost;
     return samples_of(plan) <= of.samples_left && cost_of(plan, in_lanes) <= of.budget.left - kept;
 }
 
-/// Puts a piece among the waiting ones. It will be cut if its excess is above 1, else drawn last.
+/// Lets a piece wait. It will be cut if its excess is above 1. Otherwise it is drawn after all
+/// cuts.
 template <class T>
 void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double excess) {
     waiting_.push_back({p, p.depth < deepest ? excess : 0, plan.most_u() >= plan.most_v()});
@@ -141,8 +144,8 @@ auto l3d_patch_dicer<T>::plan_of(const piece& p, const task& of, bool with_outli
     return result;
 }
 
-/// Takes up a piece: leaves it out if it is outside, draws it if it fits, or lets it wait to be
-/// cut.
+/// Decides about a piece. It is left out if it is outside of the picture, and drawn if its plan
+/// fits. Any other piece waits to be cut.
 template <class T> void l3d_patch_dicer<T>::take(const piece& p, task& of) {
     of.budget.left -= l3d_piece_cost;
     if ((!of.view.keep.outside || p.depth > 0) &&
@@ -243,7 +246,8 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     of.counts.clipped += !how.nets.whole();
 }
 
-/// Counts a piece's bounds of depth and shade. The vertices of its slits err by row_depth_error.
+/// Adds a piece's bounds of depth and shade to the counts. row_depth_error is the error of depth of
+/// its slits' vertices.
 template <class T>
 void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certificate& proven,
                                        double row_depth_error, task& of) const {
@@ -253,7 +257,7 @@ void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certifi
     of.counts.add_surface(proven, side_error + row_depth_error);
 }
 
-/// Counts a drawn piece. The vertices of its slits err by row_error.
+/// Adds a drawn piece to the counts. row_error is the error of its slits' vertices.
 template <class T>
 void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, double row_error,
                                bool in_lanes, task& of) const {

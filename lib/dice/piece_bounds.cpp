@@ -44,9 +44,9 @@ double walking_error(const std::array<double, 4>& size, double unit, int n, int 
 }
 
 /// The unit of fixed-point registers: a power of two. It brings w to at most 2^8 and, within the
-/// guard band, x and y to at most 2^22. Differences of third order may take eight times that, and
+/// guard band, x and y to at most 2^22. Differences of third order may be eight times as large, and
 /// 32.32 has 31 integer bits.
-/// Expects: 0 < largest_w < 2^200; the image transform's scale sees to it.
+/// Expects: 0 < largest_w < 2^200; the image transform's scale ensures it.
 template <class T> double register_unit(double largest_w) {
     if constexpr (l3d_is_fixed<T>)
         return std::exp2(7 - std::floor(std::log2(largest_w)));

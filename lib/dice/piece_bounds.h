@@ -11,16 +11,17 @@
 #include <cstddef>
 #include <span>
 
-/// The most steps of a strip in a piece that needs clipping. Other pieces have
+/// The largest number of steps of a strip in a piece that needs clipping. For other pieces, it is
 /// l3d_most_steps_whole.
 ///
 /// Clipped pieces are drawn slowly, and their triangles have no contours for smooth edges. So
-/// pieces are cut until the lanes take nearly all parts before the near plane. With 4 steps, 30
-/// edge pixels of a ball beside the eye err by over 30 levels; with 2, only 9 do (`near_outline`).
+/// pieces are cut until the lane dicer takes nearly all parts in front of the near plane. With 4
+/// steps, 30 edge pixels of a ball beside the eye err by over 30 shade levels; with 2 steps, only 9
+/// do (`near_outline`).
 inline constexpr int l3d_most_steps_clipped = 2;
 
-/// Decides how a piece is drawn, and bounds the errors of its vertices. It has the nets of the
-/// piece and of its blocks.
+/// The nets of a piece and of its blocks. It decides whether the piece is clipped and walked, and
+/// bounds the errors of its vertices.
 ///
 /// Shape: block 4 * b + a is u-strip a, v-strip b; a small piece has one block.
 template <class T> class l3d_piece_bounds {
@@ -30,16 +31,17 @@ public:
     const l3d_image_net& net() const { return net_; }
     std::span<const l3d_image_patch> blocks() const { return std::span(blocks_).first(count_); }
 
-    /// Whether the piece needs no clipping. Then it lies between the near and the far plane, in the
-    /// guard band, and wholly on the kept side of a section.
+    /// Whether the piece needs no clipping. Such a piece lies between the near and the far plane,
+    /// in the guard band, and wholly on the kept side of a section.
     bool whole() const { return whole_; }
 
-    /// Whether forward differences in T walk the piece. Else each vertex is evaluated, because a
-    /// walk would add more than l3d_dice_view::walk_allowance to the error.
+    /// Whether the piece's vertices are walked by forward differences in T. Else each vertex is
+    /// evaluated, because walking would add more than l3d_dice_view::walk_allowance to the error.
     bool walked() const { return walked_; }
 
-    /// The number that stands for 1 in the registers of a walk, a power of two. So fixed point gets
-    /// the largest coordinates that fit, however far everything else in the picture is.
+    /// The number that stands for 1 in the registers of a walk, a power of two. It makes the
+    /// piece's coordinates in fixed point the largest that fit, however far other things in the
+    /// picture reach.
     double unit() const { return unit_; }
 
     /// Bounds what rounding of the vertices adds to the chord error. Units: pixels.
@@ -51,7 +53,7 @@ public:
         return whole_ ? vertex_error_ - l3d_vertex_accuracy::of_centre() : vertex_error_;
     }
 
-    /// Bounds the error of the vertices' w. Units: those of w.
+    /// Bounds the error of the vertices' w. Units: scaled w.
     double error_w() const { return error_w_; }
 
 private:

@@ -10,10 +10,11 @@
 #include <span>
 #include <vector>
 
-/// Holds pieces in the order in which they were diced, and keeps their memory for the next ones.
+/// The diced pieces of a patch, in the order in which they were diced. The pool keeps the memory of
+/// its pieces for later pieces.
 ///
 /// Shape: a pool begins a pair of cache lines, since other workers write to other pools.
-/// Cost:  allocates only when there are more pieces than ever before, or larger ones.
+/// Cost:  allocates only if pieces are more, or larger, than ever before.
 class alignas(128) l3d_piece_pool {
 public:
     l3d_piece_pool() = default;
@@ -34,7 +35,7 @@ public:
             piece.keep_parameters = keep;
     }
 
-    /// Hands out an empty piece. Lives: until the next one is asked for.
+    /// Hands out an empty piece. Lives: the reference holds until next() is called again.
     l3d_diced_piece& next() {
         if (used_ == pieces_.size())
             pieces_.emplace_back().keep_parameters = keep_parameters_;
@@ -43,13 +44,13 @@ public:
         return piece;
     }
 
-    /// Takes the last piece back. Expects: it is not used any more.
+    /// Takes back the piece that was handed out last. Expects: the piece is not used any more.
     void give_back() {
         assert(used_ > 0);
         --used_;
     }
 
-    /// The pieces handed out since the last clear.
+    /// The pieces handed out since the last clear(), except for those given back.
     std::span<const l3d_diced_piece> used() const { return {pieces_.data(), used_}; }
     std::span<l3d_diced_piece> used() { return {pieces_.data(), used_}; }
 

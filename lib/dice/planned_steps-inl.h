@@ -26,15 +26,15 @@ using lane_tag = hn::CappedTag<double, most_strips>;
 using lane_vec = hn::Vec<lane_tag>;
 using lane_mask = hn::Mask<lane_tag>;
 
-/// The two directions of parameters. They serve as indices, too.
+/// The two directions of parameters, as indices of arrays.
 enum direction : std::size_t { along_u, along_v };
 constexpr direction other(direction d) {
     return d == along_u ? along_v : along_u;
 }
 
-/// One number for each block, in two orders. In `by[d]`, the blocks of a strip of direction d lie
-/// side by side, so that one load reads them. A net of one block has 0 in the lanes of the missing
-/// blocks. Its missing strips are not set.
+/// One number for each block of a net, in two orders. In `by[d]`, the blocks of a strip of
+/// direction d lie side by side, so that one load reads them. A net of one block has 0 in the lanes
+/// of the missing blocks. The missing strips of such a net are not set.
 struct block_numbers {
     alignas(64) double by[2][most_strips * most_strips];
 
@@ -66,7 +66,7 @@ HWY_INLINE lane_vec larger(lane_vec a, lane_vec b) {
     return hn::IfThenElse(hn::Gt(b, a), b, a);
 }
 
-/// Finds the largest number of each strip of direction d, a strip a lane.
+/// Finds the largest number in each strip of direction d, one strip in each element of `out`.
 HWY_INLINE void largest_in_strips(const block_numbers& of, direction d, std::size_t strips,
                                   double (&out)[most_strips]) {
     for (std::size_t lane = 0; lane < most_strips; lane += hn::MaxLanes(lane_tag())) {
@@ -77,16 +77,17 @@ HWY_INLINE void largest_in_strips(const block_numbers& of, direction d, std::siz
     }
 }
 
-/// 1 for the strips at a piece's sides, 0 for those inside, if there are four strips.
+/// For each of four strips: 1 if the strip is at a side of the piece, 0 if it is inside.
 alignas(64) constexpr double at_ends[most_strips] = {1, 0, 0, 1};
 
 /// The steps of each strip along one direction, and the factors of errors that follow from them.
 struct steps_along {
     int n[most_strips] = {1, 1, 1, 1}, fewest[most_strips] = {1, 1, 1, 1};
-    alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< h
-    alignas(64) double bend[most_strips] = {};           ///< factor of a second derivative
-    alignas(
-        64) double moved[most_strips] = {}; ///< l3d_balance h^2 where vertices are moved, else 0
+    alignas(64) double step[most_strips] = {1, 1, 1, 1}; ///< the step h = 1 / n
+    /// The factor of a second derivative in a chord's error.
+    alignas(64) double bend[most_strips] = {};
+    /// l3d_balance h^2 in strips whose vertices are balanced, else 0.
+    alignas(64) double moved[most_strips] = {};
 
     void set(std::size_t strip, int steps, bool balanced) {
         const double h = 1.0 / steps;
@@ -97,10 +98,10 @@ struct steps_along {
     }
 };
 
-/// The steps that meet in the blocks of a strip of one direction, from some block on, a block a
-/// lane.
+/// The steps along both directions in the blocks of one strip, from some block on, a block a lane.
+/// The strip's own steps are the same in all its blocks.
 struct strip_numbers {
-    lane_vec step, bend, moved; ///< steps of the other direction, one for each block
+    lane_vec step, bend, moved; ///< steps across the strip's direction, a block a lane
     lane_vec own_step, own_bend, own_moved;
 };
 

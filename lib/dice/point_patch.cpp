@@ -13,8 +13,8 @@
 
 namespace {
 
-/// The corners of the drawn triangle, in sub-pixels from the centre. No smaller triangle of whole
-/// numbers holds the centre inside.
+/// The corners of the triangle that draws a point, in sub-pixels from the pixel's centre. No
+/// smaller triangle of whole numbers holds the centre inside.
 constexpr std::array<std::array<std::int32_t, 2>, 3> triangle_places{{{-1, -1}, {1, -1}, {0, 1}}};
 constexpr double extent = 1.5 / l3d_subpixel_one;
 
@@ -22,7 +22,8 @@ bool far_apart(const l3d_image_point& a, const l3d_image_point& b, double limit)
     return l3d_far_apart(a, b, 0, limit) || l3d_far_apart(a, b, 1, limit);
 }
 
-/// Finds the only pixel whose centre lies between two places, even if snapping moved them.
+/// Finds the only pixel whose centre lies between two places along x or y, even if snapping moved
+/// the places. Returns nothing if there is none, or more than one.
 std::optional<std::int32_t> only_centre(double low, double high, double corner) {
     const auto centres = l3d_centres_near(low, high, corner);
     if (!centres.only_one())

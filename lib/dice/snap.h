@@ -9,7 +9,8 @@
 #include <concepts>
 #include <cstdint>
 
-/// A projected point: its place in 1/256 pixel, and the reciprocal of its scaled w.
+/// A projected point: its place in 1/256 pixel from the picture's centre, and the reciprocal of its
+/// scaled w.
 struct l3d_snapped {
     std::int32_t x, y;
     float inv_w;
@@ -37,9 +38,9 @@ template <std::floating_point T> l3d_snapped l3d_snap(T x, T y, T w) {
             static_cast<float>(reciprocal)};
 }
 
-/// Projects a point in fixed point, by one exact quotient that is rounded once.
-/// Expects: the same, and |x| and |y| below 2^(bits - 1 - 8) raw. The guard band and the image
-///          transform's scale make sure of that.
+/// Projects a point in fixed point. Each coordinate is one exact quotient that is rounded once.
+/// Expects: w > 0, |x / w| and |y / w| at most l3d_guard_band, and |x| and |y| below 2^(bits - 1 -
+///          8) raw. The guard band and the image transform's scale ensure this limit.
 template <class S, int F, l3d_overflow O>
 l3d_snapped l3d_snap(l3d_fixed<S, F, O> x, l3d_fixed<S, F, O> y, l3d_fixed<S, F, O> w) {
     const auto divided = [&](l3d_fixed<S, F, O> value) {
@@ -49,7 +50,8 @@ l3d_snapped l3d_snap(l3d_fixed<S, F, O> x, l3d_fixed<S, F, O> y, l3d_fixed<S, F,
     return {divided(x), divided(y), static_cast<float>(1 / l3d_to_double(w))};
 }
 
-/// Bounds the error that l3d_snap adds to a vertex, for coordinates up to `reach`. Units: pixels.
+/// Bounds the error that l3d_snap adds to a vertex whose coordinates in the picture are at most
+/// `reach`. Units: pixels.
 template <class T> double l3d_snap_error(double reach) {
     constexpr double root_two = 1.4142135623730951;
     return root_two * (2.01 * l3d_real_traits<T>::unit_roundoff * reach + 0.5 / l3d_subpixel_one);

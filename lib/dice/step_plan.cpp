@@ -74,8 +74,8 @@ public:
     largest_bend(const l3d_image_box& hull, double focal)
         : x_((hull.left + hull.right) / 2), y_((hull.top + hull.bottom) / 2), focal_(focal) {}
 
-    /// Takes a second difference of x, y and w. Where depth is kept, a length along the line of
-    /// sight counts like one across it.
+    /// Takes a second difference of x, y and w. If focal is not 0, a length along the line of sight
+    /// counts like a length across it.
     void take(double x, double y, double w) {
         const double dx = x - x_ * w, dy = y - y_ * w, dw = focal_ * w;
         square_ = std::max(square_, dx * dx + dy * dy + dw * dw);
@@ -89,7 +89,8 @@ private:
     double x_, y_, focal_, square_ = 0;
 };
 
-/// The budget of chords, smaller where outlines need finer steps.
+/// The budget of chords in a view. It is smaller with smooth edges, whose outlines need finer
+/// steps.
 double budget_of(const l3d_dice_view& view) {
     return view.chord_budget(0) / view.finer_outlines();
 }
@@ -99,8 +100,8 @@ constexpr double steps_squared = l3d_most_steps_of_one_block * l3d_most_steps_of
 } // namespace
 
 /// Estimates the error of three steps. Second derivatives are 6 times second differences along u
-/// and v, and 9 times mixed ones. A quad errs by an eighth of the first two and a sixteenth of the
-/// last, see l3d_plan_steps.
+/// and v, and 9 times mixed differences. A quad errs by an eighth of the derivatives along u and
+/// along v and a sixteenth of the mixed one, see l3d_plan_steps.
 bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
                       const l3d_dice_view& view) {
     if (l3d_is_small(hull))
@@ -112,7 +113,8 @@ bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
     return error <= steps_squared * bends.least_w * budget_of(view);
 }
 
-/// Compares with half of the budget, since an edge gets as much as each direction of a quad.
+/// The estimated error is compared with half of the budget, since an edge gets as much as each
+/// direction of a quad.
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view) {
     if (l3d_is_small(hull))
@@ -144,8 +146,8 @@ l3d_block_needs l3d_needs_of(const l3d_image_net& net, std::span<const l3d_image
     return needs;
 }
 
-/// Marks the blocks that outlines may cross. A piece is a part of the patch by halves, so all
-/// numbers here are exact.
+/// Marks the blocks that outlines may cross. A piece is made by halving the patch, so all
+/// parameters here are exact.
 void l3d_ask_for_outlines(const l3d_patch_part& piece, const l3d_dice_view& view,
                           l3d_block_needs& needs) {
     needs.finer_outlines = view.finer_outlines();

@@ -21,14 +21,16 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The limit of steps. It keeps hopeless cases finite, and they still tell which direction needs
-/// more.
+/// The limit of steps in a strip. It keeps numbers of steps finite in hopeless cases, where they
+/// still tell which direction needs more steps.
 constexpr int most_steps = 1 << 28;
 
-/// The share of the corners' mixed difference by which a fan of four triangles errs.
+/// The share of the corners' mixed difference by which a folded quad, drawn as a fan of four
+/// triangles, errs.
 constexpr double of_fan = 1.0 / 16;
 
-/// More steps than this are not coarsened, since such pieces are cut anyway and may be many.
+/// The largest number of steps of a strip for which fewer steps are tried. Pieces with more steps
+/// are cut anyway, and may be many.
 constexpr int most_worth_saving = 64;
 
 /// The steps of all strips while they are chosen, and the needs that they have to meet.
@@ -77,7 +79,7 @@ public:
         plan.bend_error = bend_error();
     }
 
-    /// Takes the steps of a given plan.
+    /// Takes the steps of a given plan in place of choosing them.
     HWY_INLINE void take(const l3d_step_plan& plan) {
         for (std::size_t strip = 0; strip < strips_; ++strip) {
             steps_[along_u].set(strip, plan.nu[strip], plan.balanced);
@@ -105,8 +107,8 @@ private:
     /// The share of the mixed difference that counts if every quad is folded.
     double drawn_mixed() const { return std::max(mixed_, of_fan); }
 
-    /// Starts with half the budget for each direction, since that makes the product of the steps
-    /// least.
+    /// Starts with half the budget for each direction, since this makes the product of the numbers
+    /// of steps least.
     HWY_INLINE void start() {
         start_along(along_u, needs_.least_u);
         start_along(along_v, needs_.least_v);
@@ -130,8 +132,8 @@ private:
                 coarsen_strip(d, strip);
     }
 
-    /// Refines a v-strip, the coarser direction first, until its blocks are fine enough or
-    /// hopeless. Returns whether nothing had to change.
+    /// Refines the steps in a v-strip, of the coarser direction first, until the strip's blocks are
+    /// fine enough or hopeless. Returns whether nothing had to change.
     HWY_INLINE bool refine_strip(std::size_t strip) {
         bool settled = true;
         unsigned hopeless = 0;
@@ -152,7 +154,7 @@ private:
         return settled;
     }
 
-    /// Rounds up to a number between 1 and most_steps.
+    /// Rounds a number of steps up to a whole number between 1 and most_steps.
     static int rounded_up(double steps) {
         const double n = std::ceil(steps);
         return n < most_steps ? std::max(1, static_cast<int>(n)) : most_steps;
@@ -166,7 +168,8 @@ private:
         return std::max(2, rounded_up(std::sqrt(8 * l3d_balance * squared)));
     }
 
-    /// The same along the normal, where third derivatives count, too.
+    /// The steps with which the error along the normal takes at most half the budget. Third
+    /// derivatives count, too.
     int steps_for_bends(double second, double third) const {
         const int steps = steps_for(second / 4);
         const double of_third = of_moved_thirds / l3d_balance / steps;
@@ -208,7 +211,8 @@ private:
         }
     }
 
-    /// The factors of the steps in the blocks of a strip of direction d, from block `lane` on.
+    /// The steps along both directions, and their factors of errors, in the blocks of a strip of
+    /// direction d, from block `lane` on.
     HWY_INLINE strip_numbers numbers_of(direction d, std::size_t strip, std::size_t lane) const {
         const lane_tag tag;
         const steps_along &own = steps_[d], &across = steps_[other(d)];
@@ -239,8 +243,9 @@ private:
         return hn::IfThenZeroElse(nothing, error);
     }
 
-    /// Bounds the errors of w, in budgets. The bounds hold whether vertices are balanced or not:
-    /// with n >= 2, all that balance adds stays within the 1/8 of a chord. NUMERICS, section 3.
+    /// Bounds the errors of w in the blocks of a strip. The bounds hold whether vertices are
+    /// balanced or not: with n >= 2, all that balancing adds stays within the 1/8 of a chord.
+    /// NUMERICS, section 3. Units: budgets of w.
     HWY_INLINE lane_vec depth_errors(direction d, std::size_t strip, std::size_t lane) const {
         const strip_numbers s = numbers_of(d, strip, lane);
         const lane_vec own = hn::Mul(depth_[d].in(d, strip, lane), hn::Mul(s.own_step, s.own_step));
@@ -278,7 +283,8 @@ private:
         return hn::Mul(larger(own, across), hn::Set(tag, 1.0 / 8));
     }
 
-    /// Finds the blocks of a strip that are not fine enough, as bits.
+    /// Finds the blocks of a strip whose errors exceed a budget. The result has a bit for each
+    /// block.
     HWY_INLINE unsigned unmet(direction d, std::size_t strip) const {
         const lane_tag tag;
         const lane_vec budget = hn::Set(tag, budget_);
@@ -305,7 +311,7 @@ private:
     steps_along steps_[2];
 };
 
-/// The needs, with those of finer outlines.
+/// The needs, raised where outlines need finer steps.
 l3d_block_needs with_outlines(const l3d_block_needs& needs) {
     l3d_block_needs result = needs;
     const auto strips = static_cast<std::size_t>(needs.strips);
@@ -352,7 +358,7 @@ void bend_error_of(const l3d_block_needs& needs, const l3d_step_plan& plan, doub
     error = steps.bend_error();
 }
 
-/// Finds bends in lanes, row by row.
+/// Does the work of l3d_bends_of, in lanes, row by row of the net.
 void bends_of(const l3d_image_patch& net, double x, double y, double focal, l3d_net_bends& out) {
     constexpr std::size_t points = 16;
     const lane_tag d;

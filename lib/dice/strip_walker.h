@@ -12,17 +12,17 @@
 #include <cstdint>
 #include <vector>
 
-/// Walks the columns of a strip. Column c is the curve v -> (x, y, w) at a fixed u, held as forward
-/// differences. A step moves all columns to the next row.
+/// Walks the rows of vertices in a strip of a patch by forward differences. Column c holds the
+/// differences of the curve v -> (x, y, w) at a fixed u. A step moves all columns to the next row.
 ///
-/// Shape: one array for each coordinate and difference, with the columns side by side. So a
-///        processor's lanes can each take a column.
+/// Shape: one array for each coordinate and difference, with the columns side by side, so that each
+///        SIMD lane can take a column.
 /// Cost:  9 additions a column and step, one reciprocal and two products a vertex.
 template <class T> class l3d_strip_walker {
 public:
-    /// Sets the number of columns. Registers hold `unit` times their values: a power of two, 1 for
-    /// floats.
-    /// Cost: allocates only when wider than ever before.
+    /// Sets the number of columns. Registers hold coordinates times `unit`, a power of two, which
+    /// is 1 for floats.
+    /// Cost: allocates only if there are more columns than ever before.
     void resize(std::size_t columns, double unit = 1) {
         columns_ = columns;
         unit_ = unit;
@@ -47,7 +47,8 @@ public:
         }
     }
 
-    /// Puts column c on one point. It is not walked on from there.
+    /// Puts column c on one point for the current row. Expects: no step() before the column starts
+    /// again.
     void place(std::size_t c, const l3d_image_point& point) {
         for (std::size_t k = 0; k < 3; ++k)
             registers_[k][0][c] = l3d_from_double<T>(point[static_cast<int>(k)] * unit_);
@@ -69,7 +70,7 @@ public:
         }
     }
 
-    /// Goes on to the next row.
+    /// Moves all columns to the next row.
     void step() {
         for (auto& coordinate : registers_)
             for (std::size_t n = 0; n < 3; ++n) {

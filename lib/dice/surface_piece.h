@@ -11,7 +11,8 @@
 #include <array>
 #include <cstddef>
 
-/// The stretch of an edge polyline along which a piece's side lies.
+/// The stretch of an edge polyline (l3d_edge_polyline) along which a piece's side lies, from t0 to
+/// t1.
 struct l3d_piece_side {
     std::size_t edge = 0; ///< index among the patch's edges
     double t0 = 0, t1 = 1;
@@ -19,14 +20,15 @@ struct l3d_piece_side {
     bool whole() const { return t0 == 0 && t1 == 1; }
 };
 
-/// A part of a patch that is diced by itself, with the edges that it shares with its neighbours.
+/// A part of a patch that is diced by itself. It knows the edges that it shares with its
+/// neighbours.
 ///
 /// Shape: sides [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along v).
 struct l3d_surface_piece : l3d_patch_part {
     std::array<l3d_piece_side, 4> sides;
 
-    /// A corner at its canonical place, which is the same for all pieces that share the corner. It
-    /// has no normal.
+    /// A corner at the place that all pieces that share the corner give it, for clipping. The
+    /// vertex has no normal.
     l3d_clip_vertex corner(bool high_u, bool high_v, const l3d_dice_view& view) const {
         l3d_clip_vertex result = l3d_canonical_vertex(net.at(high_v ? 3 : 0, high_u ? 3 : 0), view);
         result.dice.u = high_u ? u1 : u0;
@@ -36,7 +38,8 @@ struct l3d_surface_piece : l3d_patch_part {
 };
 
 /// Cuts a piece into two halves, along u or along v. The sides across the cut are halved. The cut
-/// itself becomes a new edge, which both halves have as a whole side. `counts` counts the edge.
+/// itself becomes a new edge, which both halves have as a whole side. The new edge is added to
+/// `edges` and `counts`.
 inline std::array<l3d_surface_piece, 2> l3d_cut_piece(const l3d_surface_piece& p, bool along_u,
                                                       const l3d_dice_view& view,
                                                       l3d_edge_polylines& edges,

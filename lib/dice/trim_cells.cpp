@@ -85,7 +85,7 @@ void l3d_trim_cells::cut_grid(const l3d_grid_trims& by) {
     piece_->part.border.insert(piece_->part.border.end(), trims_.begin(), trims_.end());
 }
 
-/// Whether the quad lies in a block that back-face culling leaves out.
+/// Whether the grid's quad lies in a block that back-face culling leaves out.
 bool l3d_trim_cells::is_unseen(std::size_t row, std::size_t column) const {
     if (piece_->part.unseen == 0)
         return false;
@@ -129,7 +129,8 @@ void l3d_trim_cells::add(const Surface& of, const typename Surface::point& a,
     piece_->add_triangle(p[0], p[1], p[2]);
 }
 
-/// Makes a vertex of a point of a strip's border, with the light of one side and without bends.
+/// Makes a vertex of a point on a strip's border. It has the light of one side of the surface, and
+/// no bends.
 template <class Point> l3d_dice_vertex l3d_trim_cells::lit(const Point& at, float side) const {
     l3d_dice_vertex result{at.vertex, at.uv.u, at.uv.v};
     float(&normal)[3] = result.vertex.normal;
@@ -153,8 +154,8 @@ void l3d_trim_cells::add_strip(const l3d_trim_use& use, const l3d_dice_vertex& f
                       l3d_border_point_of(to, use.to, *view_), *view_, *piece_);
 }
 
-/// Notes where a border that follows an edge reaches a side of the piece. The slit beside it needs
-/// the place.
+/// Notes where a border that follows an edge reaches a side of the piece. The slit beside the side
+/// is cut at this place, too.
 void l3d_trim_cells::note_crossing(const l3d_trim_place& at, std::uint32_t edge, double t) {
     if (at[0] == piece_->u.front() || at[0] == piece_->u.back() || at[1] == piece_->v.front() ||
         at[1] == piece_->v.back())
@@ -240,8 +241,8 @@ void l3d_trim_cells::cut_quad(const l3d_grid_trims& by, const l3d_grid_trims::pa
             piece_->part.border.push_back(side_between(side, row, column, false));
 }
 
-/// Notes the sides at which a whole quad meets another that is not whole. There, the surface goes
-/// on or ends.
+/// Finds the quads that lie wholly inside the region. Notes as borders the sides at which such a
+/// quad meets a quad that does not.
 void l3d_trim_cells::note_whole_quads(const l3d_grid_trims& by) {
     const l3d_micro_grid& grid = piece_->part.grid;
     is_whole_.assign(grid.x.size(), false);
@@ -272,7 +273,7 @@ void l3d_trim_cells::note_whole_quads(const l3d_grid_trims& by) {
         }
 }
 
-/// Keeps the parts of the piece's border that lie beside the region.
+/// Keeps the parts of the piece's border that the trimmed region reaches.
 void l3d_trim_cells::cut_border(const l3d_grid_trims& by) {
     constexpr std::size_t sides[] = {
         0, 3, 1, 2}; // indices into kept() for a quad's sides v = 0, u = 1, v = 1, u = 0
@@ -310,8 +311,8 @@ void l3d_trim_cells::cut_border(const l3d_grid_trims& by) {
     }
 }
 
-/// Cuts the triangles of slits, which lie along lines of equal u or v. Triangles of clipped quads
-/// stay.
+/// Cuts the triangles of slits, which lie along lines of equal u or v. Triangles that are parts of
+/// clipped quads stay.
 void l3d_trim_cells::cut_slits(const l3d_trim_region& region, const l3d_grid_trims& by) {
     const bool has_grid = piece_->part.grid.rows > 1;
     stretches of_line; // the stretches of `line`
@@ -350,8 +351,8 @@ void l3d_trim_cells::keep_slit(std::size_t triangle) {
     piece_->add_triangle(corner[0], corner[1], corner[2]);
 }
 
-/// Keeps the parts of a slit's triangle beside the stretches. New corners lie on the triangle's
-/// sides, and depend on the sides' ends alone.
+/// Keeps the parts of a slit's triangle beside the stretches `kept` of the grid's side. New corners
+/// lie on the triangle's sides, and depend on the sides' ends alone.
 void l3d_trim_cells::cut_slit(std::size_t triangle, bool along_u, const stretches& kept) {
     std::array<std::size_t, 3> order{0, 1, 2};
     const auto along = [&](std::size_t corner) {

@@ -12,20 +12,20 @@
 #include <cstddef>
 #include <vector>
 
-/// Cuts off the parts of a piece that lie outside of a trimmed region. It cuts the quads of the
-/// grid and the triangles of the slits.
+/// Cuts off the parts of a diced piece that lie outside of its patch's trimmed region. It cuts the
+/// grid's quads and the slits' triangles.
 ///
-/// Quads that lie inside stay as they are. All others join the grid's `cut`, so that they are not
-/// drawn. Where the border passes through a quad, triangles fill its part inside. A new corner has
-/// the parameters of its place on the border, and lies in the plane of its quad, before projection.
-/// A new corner on a side depends on that side's ends alone, so neighbours fit together
-/// (docs/NUMERICS.md, section 27).
+/// Quads inside the region stay as they are. All other quads are noted in the grid's `cut`, so that
+/// they are not drawn. Where the region's border passes through a quad, triangles fill the quad's
+/// part inside the region. A new corner has the parameters of its place on the border, and lies in
+/// the plane of its quad, before projection. A new corner on a side depends on that side's ends
+/// alone, so neighbours fit together (docs/NUMERICS.md, section 27).
 /// Lives:   one for each worker, kept for its memory.
 /// Expects: pieces that keep the parameters of their triangles.
 class l3d_trim_cells {
 public:
-    /// Cuts a piece of a patch, and returns what that adds to the errors of the piece. A piece
-    /// without a grid has only slits to cut.
+    /// Cuts a piece of a patch, and returns the errors that cutting adds to the piece. In a piece
+    /// without a grid, only slits are cut.
     /// Expects: `by` tells what the region leaves of the grid, if the piece has one.
     l3d_trim_error cut(const l3d_trim_region& region, const l3d_dice_view& view,
                        l3d_diced_piece& piece, const l3d_grid_trims& by, bool keeps_parameters);
@@ -56,10 +56,10 @@ private:
     const l3d_dice_view* view_ = nullptr;
     l3d_diced_piece* piece_ = nullptr;
     l3d_trim_error error_;
-    std::vector<quad_surface::point>
-        points_; ///< corners of the triangles in the quad that is being cut
-    std::vector<bool>
-        is_whole_; ///< whether each quad lies inside; by the index of its first corner
+    /// The corners of the triangles in the quad that is being cut.
+    std::vector<quad_surface::point> points_;
+    /// Whether each quad lies inside the region, by the index of the quad's first corner.
+    std::vector<bool> is_whole_;
     std::vector<l3d_border_edge> border_; ///< the piece's border before the cut
     std::vector<l3d_border_edge> trims_;  ///< sides of triangles that lie on the region's border
     std::vector<stretch> border_along_;

@@ -16,32 +16,35 @@
 #include <cstddef>
 #include <limits>
 
-/// The largest errors that trimming adds to a piece.
+/// The largest errors that cutting along trims adds to a piece (l3d_trim_cells).
 struct l3d_trim_error {
     double places_px = 0; ///< error of places, and of depth along the normal
     double normals = 0;   ///< error of interpolated normals, where vertices have normals
-    double levels = 0;    ///< error of levels, where vertices have levels
+    double levels = 0;    ///< error of shade levels, where vertices have levels
 
     void add(const l3d_trim_error& other);
 };
 
-/// Bounds how far a corner that trims make is off the mean that it stands for. Units: pixels.
+/// Bounds the rounding of a new corner on a trim's border: how far it is off the mean of vertices
+/// that it stands for. Units: pixels.
 inline double l3d_trimmed_snap(const l3d_dice_view& view) {
     return l3d_snap_error<double>(l3d_guard_band) + view.depth_rounding();
 }
 
 namespace l3d_detail {
 
-/// A point of the surface between `Corners` vertices, and the weight of each vertex in it.
+/// A point of the surface between `Corners` vertices. It has the weight of each vertex in the
+/// point.
 template <std::size_t Corners> struct blended_point {
     std::array<double, Corners> shares{};
     l3d_micro_vertex vertex;
     l3d_patch_parameters uv;
-    double level =
-        0; ///< the point's level where vertices have levels; else `vertex` has its normal
+    /// The point's shade level where vertices have levels. Elsewhere `vertex` has the point's
+    /// normal.
+    double level = 0;
 };
 
-/// Interpolates between vertices before projection.
+/// Interpolates between the vertices of a quad or a triangle, as before their projection.
 template <std::size_t Corners> struct corners {
     std::array<l3d_micro_vertex, Corners> at;
     std::array<double, Corners> w{};
@@ -53,8 +56,8 @@ template <std::size_t Corners> struct corners {
             w[i] = in.w_at(at[i].inv_w);
     }
 
-    /// The vertex at these shares. If one vertex has the share 1, the result is that vertex, bit
-    /// for bit.
+    /// The mean of the vertices with these shares. If one vertex has the share 1, the result is
+    /// that vertex, bit for bit.
     l3d_micro_vertex place(const std::array<double, Corners>& shares) const {
         double sum = 0, x = 0, y = 0;
         for (std::size_t i = 0; i < Corners; ++i) {
@@ -88,7 +91,8 @@ void put_by(const Surface& of, typename Surface::point& at, bool has_levels) {
         of.set_normal(at.shares, at.vertex);
 }
 
-/// The surface of a quad of a grid. The shares are those of p00, p10, p11 and p01.
+/// The surface of a grid's quad, for points where trims cut it. Shares are in the order of the
+/// corners p00, p10, p11 and p01.
 struct quad_surface : corners<4> {
     using point = blended_point<4>;
 
@@ -106,10 +110,10 @@ struct quad_surface : corners<4> {
         return result;
     }
 
-    /// Finds a point's vertex and light by its shares.
+    /// Sets a point's vertex and light from its shares.
     void put(point& one, bool has_levels) const { put_by(*this, one, has_levels); }
 
-    /// The level at these shares, by the rule of levels_shader.
+    /// The shade level of the point with these shares, by the rule of levels_shader.
     double level(const std::array<double, 4>& p) const {
         const double s = p[1] + p[2], t = p[2] + p[3];
         double result = 0;
@@ -119,11 +123,12 @@ struct quad_surface : corners<4> {
                4 * t * (1 - t) * ((1 - s) * double{bends.ad} + s * double{bends.bc});
     }
 
-    /// Bounds the errors that triangles make in parts of this quad.
+    /// Bounds the errors of drawing parts of this quad as triangles.
     ///
-    /// About the middle of a part, a level is a parabola but for cubic terms, whose factors are 4
-    /// differences of bends. No point is farther from the middle than 2/3, and parabolas through
-    /// six points are at most 5/3 of the values there: 4 (2/3)^3 (1 + 5/3) < 3.2.
+    /// About the middle of a part, a level is a parabola but for cubic terms. The factors of these
+    /// terms are 4 times differences of bends. No point is farther from the middle than 2/3. A
+    /// parabola through six points is at most 5/3 of the values at these points: 4 (2/3)^3 (1 +
+    /// 5/3) < 3.2.
     l3d_trim_error error(bool has_levels) const {
         l3d_trim_error result{.places_px = l3d_trimmed_snap(*view)};
         if (has_levels) {
@@ -154,13 +159,13 @@ struct quad_surface : corners<4> {
     }
 };
 
-/// The surface of a triangle of a slit.
+/// The surface of a slit's triangle, for points where trims cut it.
 struct slit_surface : corners<3> {
     using point = blended_point<3>;
 
     using corners<3>::corners;
 
-    /// Finds a point's vertex and light by its shares.
+    /// Sets a point's vertex and light from its shares.
     void put(point& one, bool has_levels) const { put_by(*this, one, has_levels); }
 
     double level(const std::array<double, 3>& p) const {

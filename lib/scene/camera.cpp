@@ -20,7 +20,7 @@ vector turned(const vector& v, const vector& axis, double degrees) {
     return l3d_transformed(l3d_rotation<double>(axis, degrees), v);
 }
 
-/// The unit vector of a vector of any length. Squares of very long or short ones would leave a
+/// The unit vector of a vector of any length. Squares of very long or short vectors would leave a
 /// double's range.
 vector unit_of_any_length(const vector& v) {
     const double longest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});

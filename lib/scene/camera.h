@@ -14,20 +14,20 @@
 
 class l3d_patch_scene;
 
-/// The smallest near_z that is allowed, and the smallest distance of the target from the eye. Depth
-/// is kept as 1 / distance in a float, which goes up to 3e38.
+/// The smallest valid near_z, and the smallest valid distance of a camera's target from its eye.
+/// Pictures store depths as 1 / distance in floats, which go up to 3e38.
 inline constexpr double l3d_least_distance = 1e-32;
 
-/// The largest magnitude of an eye's coordinates. The largest models reach to 1e12, and are still
-/// seen from outside, also with a narrow field of view.
+/// The largest valid magnitude of the coordinates of a camera's eye. The largest models reach to
+/// 1e12. An eye within this limit sees all of them, also with a narrow field of view.
 inline constexpr double l3d_farthest_eye = 1e15;
 
-/// Least sine of the angle between `up` and the line of sight. Below, rounding alone would turn the
-/// picture by a part in 10^9 and more.
+/// The least valid sine of the angle between a camera's `up` and its line of sight. With a smaller
+/// sine, rounding alone would turn the picture by a part in 10^9 and more.
 inline constexpr double l3d_least_up_sine = 1e-6;
 
-/// Directions for a person who stands upright before a model. Front is the z axis, or -y if z is
-/// up, as in many files.
+/// The directions right, up and front of a model, made of its upward direction. Views such as "from
+/// the front" are named by them. Front is the z axis, or -y if z is up, as in many files.
 ///
 /// Shape:   three perpendicular unit vectors; right x up = front.
 struct L3D_PUBLIC l3d_upright {
@@ -37,10 +37,11 @@ struct L3D_PUBLIC l3d_upright {
         up,       ///< above the model
         front;    ///< from the model to that person
 
-    /// Expects: a direction of any length but zero, finite.
+    /// Makes the directions from the model's upward one, `upwards`.
+    /// Expects: a finite vector of any length but zero.
     explicit l3d_upright(const vector& upwards);
 
-    /// The vector with these lengths along right, up and front.
+    /// The vector that is the sum of these lengths along right, up and front.
     vector at(double rightwards, double upwards, double forwards) const {
         return right * rightwards + up * upwards + front * forwards;
     }
@@ -52,8 +53,8 @@ enum class L3D_PUBLIC l3d_projection {
     parallel,    ///< sizes are those of perspective at the target; nothing is behind the eye
 };
 
-/// A camera in a right-handed world with y up, looking along target - eye. Unless a program places
-/// it, it looks at the origin from one unit in front.
+/// A camera in a right-handed world, which looks from its eye to its target. A new camera stands at
+/// (0, 0, 1), looks at the origin, and has y up.
 ///
 /// Units:   world units; fov in degrees, vertical, over the whole picture height.
 /// Expects: eye != target, up not parallel to target - eye, 0 < fov < 180, 0 < near_z < far_z.
@@ -62,13 +63,14 @@ struct L3D_PUBLIC l3d_camera {
     using vector = l3d_vector<double, 3>;
     vector eye{0.0, 0.0, 1.0};    ///< the eye's place
     vector target{0.0, 0.0, 0.0}; ///< the place in the middle of the picture
-    vector up{0.0, 1.0, 0.0};     ///< the direction that is upright in the picture, any length
+    vector up{0.0, 1.0, 0.0};     ///< the direction that points up in the picture, of any length
     double fov = 38;              ///< full vertical angle of view, in degrees
     double near_z = 0.1; ///< least distance along the view axis that is drawn, in world units
     /// Farthest distance along the view axis that is drawn, in world units. The default hides
     /// nothing: no point is farther from any eye than sqrt(3) 1.001e15.
     double far_z = 1e16;
-    /// Whether rays meet in the eye. In a parallel projection, near_z and far_z cut nothing.
+    /// The kind of projection: in perspective, all rays meet in the eye. In a parallel projection,
+    /// near_z and far_z cut nothing.
     l3d_projection projection = l3d_projection::perspective;
 
     friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
@@ -96,10 +98,11 @@ struct L3D_PUBLIC l3d_camera {
     /// Whether the projection is parallel: far things do not look smaller.
     bool is_parallel() const { return projection == l3d_projection::parallel; }
 
-    /// Pixels per world unit at distance 1 in perspective.
+    /// Pixels per world unit at distance 1 from the eye, in perspective, in a picture of this size.
     double focal_length(l3d_size size) const;
 
-    /// Pixels per world unit at the target. In a parallel projection they are the same everywhere.
+    /// Pixels per world unit at the target. In a parallel projection this scale is the same
+    /// everywhere.
     double scale_at_target(l3d_size size) const;
 
     /// The matrix that takes a place (x, y, z, 1) of the world to (x, y, 0, w) in the picture. The
@@ -107,8 +110,8 @@ struct L3D_PUBLIC l3d_camera {
     /// distance along the view axis, or 1 in a parallel projection.
     l3d_matrix<double> image_matrix(l3d_size size) const;
 
-    /// Turns the eye about the target: first around `up`, then around the axis to the right. A turn
-    /// that would end nearly along `up` is left out.
+    /// Turns the eye about the target: first around `up`, then around the axis to the right. The
+    /// eye stays where it is if the line of sight would then run nearly along `up`.
     /// Units: degrees.
     void orbit(double around_up, double around_right);
 
@@ -126,7 +129,7 @@ struct L3D_PUBLIC l3d_camera {
         target += by;
     }
 
-    /// The distance of a place along the view axis.
+    /// The distance of a place from the eye, measured along the view axis.
     double depth_of(const vector& place) const;
 
     /// The place that is seen at the position (x, y) of a picture at this distance along the view
@@ -136,22 +139,24 @@ struct L3D_PUBLIC l3d_camera {
 };
 
 /// A function that tells how far a thing reaches along a direction: the largest dot product of the
-/// direction with any of its points. Without points it is minus infinity.
+/// direction with any point of the thing. For a thing without points it returns minus infinity.
 using l3d_reach = std::function<double(const l3d_vector<double, 3>& direction)>;
 
-/// The reach of the surfaces of a scene, not of their control points. It is too large by at most
-/// 1/10000 of the span of the control points.
+/// A function that returns the reach of a scene's surfaces, not of their control points. The reach
+/// is too large by at most 1/10000 of the span of the control points.
 /// Lives:   borrows the scene.
-/// Cost:    16 products for each patch, and some for the few that reach farthest.
+/// Cost:    a call takes 16 products for each patch, and more for the few patches that reach
+///          farthest.
 L3D_PUBLIC l3d_reach l3d_reach_of(const l3d_patch_scene& scene);
 
-/// The part of a picture's width or height that a framed model fills. The rest is room to turn it.
+/// The part of a picture's width or height that a model fills after l3d_framed. The rest is room to
+/// turn the model.
 inline constexpr double l3d_framed_share = 0.85;
 
 /// The camera that shows all of a model in a picture of that size. It keeps the line of sight's
 /// direction, `up` and `fov`. The model fills l3d_framed_share of the picture's width or of its
-/// height, and at most this share of the other. The target is in the middle of the model's depth.
-/// `near_z` becomes smaller if the model is too small or near for it.
+/// height, and at most this share of the other side. The target is in the middle of the model's
+/// depth. `near_z` becomes smaller if it would cut the model.
 ///
 /// In a parallel projection, the eye's distance from the target sets the scale.
 /// Expects: a valid camera.
@@ -171,15 +176,16 @@ L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3
 L3D_PUBLIC std::string l3d_why_unseen(const l3d_camera& camera, l3d_size size,
                                       const l3d_reach& reach);
 
-/// The answer of l3d_why_unseen for a model smaller than a pixel, which may still cover a pixel's
-/// middle.
+/// The answer of l3d_why_unseen for a model smaller than a pixel. Such a model may still cover a
+/// pixel's middle.
 inline constexpr const char* l3d_smaller_than_a_pixel = "smaller than a pixel";
 
-/// The answer of l3d_why_unseen for a model that no eye may be near enough to.
+/// The answer of l3d_why_unseen for a model so small that no valid eye is near enough to show it.
 inline constexpr const char* l3d_too_small =
     "too small for any view, whose eye is 1e-32 away at least";
 
-/// The reason that pipelines give for a model whose faces or patches are all points or lines.
+/// The reason that pipelines give for an empty picture if all faces or patches of a model are
+/// points or lines.
 inline constexpr const char* l3d_without_area = "without any area";
 
 /// The camera itself if l3d_shows_well, else the camera that l3d_framed makes of it. Expects,

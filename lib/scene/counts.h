@@ -11,12 +11,12 @@
 #include <cstdint>
 #include <tuple>
 
-/// The counts that patches and triangles share.
+/// Counts of a frame's shapes by what became of them. A shape is a patch or a triangle.
 struct L3D_PUBLIC l3d_seen_counts {
     std::int64_t drawn = 0;     ///< the shapes that reached the picture
-    std::int64_t offscreen = 0; ///< left out: beyond one side of the window
-    std::int64_t subpixel = 0;  ///< left out: its box holds no pixel centre
-    std::int64_t clipped = 0;   ///< drawn shapes cut at the near plane, the far one or guard band
+    std::int64_t offscreen = 0; ///< shapes left out: beyond one side of the window
+    std::int64_t subpixel = 0;  ///< shapes left out: their box holds no pixel centre
+    std::int64_t clipped = 0;   ///< shapes cut at the near plane, far plane or guard band
 
     /// Adds the counts of other shapes.
     void add(const l3d_seen_counts& other) {
@@ -27,13 +27,14 @@ struct L3D_PUBLIC l3d_seen_counts {
     }
 };
 
-/// A patch of a scene, and the bound of its error.
+/// A patch of a scene with the bound of its error, to report the least exact patch of a frame.
 struct L3D_PUBLIC l3d_coarse_patch {
     double bound_px = 0; ///< the largest error of its places, in pixels
-    /// The index of the instance in the scene, and of the patch in its model.
+    /// The instance's index in the scene, and the patch's index in the instance's model.
     std::int64_t instance = 0, patch = 0;
 
-    /// Orders by bound; among equal bounds, the first patch in the scene is the greatest.
+    /// Orders patches by their bounds. Among patches with equal bounds, the first in the scene is
+    /// the greatest.
     friend bool operator<(const l3d_coarse_patch& a, const l3d_coarse_patch& b) {
         return std::tie(a.bound_px, b.instance, b.patch) <
                std::tie(b.bound_px, a.instance, a.patch);
@@ -43,64 +44,72 @@ struct L3D_PUBLIC l3d_coarse_patch {
 /// Proven error bounds of a diced piece in depth, shade and normals. The bound of places in the
 /// picture is kept elsewhere. A bound is infinite where nothing is proven.
 struct L3D_PUBLIC l3d_surface_certificate {
-    /// The distance of chords from the exact surface, along its normal at the same parameters.
+    /// The largest distance of chords from the exact surface, along the surface's normal at the
+    /// same parameters.
     /// Units: pixels at that depth.
     double depth = 0;
-    /// The error of levels against the exact ones at the same parameters. Units: levels of 255.
+    /// The largest error of shade levels against the exact levels at the same parameters. Units:
+    /// levels of 255.
     double shade = 0;
     /// The length of the difference between interpolated normals and the exact unit normals at the
-    /// same parameters. It is for vertices that have normals instead of levels; `shade` is then 0.
+    /// same parameters. It is for vertices that have normals instead of shade levels; `shade` is
+    /// then 0.
     double normal = 0;
     /// The number of quads that `shade` does not cover, since their block may exceed the tolerance.
-    /// This happens where normals turn faster than quads of six pixels can follow, or where a
-    /// normal vanishes. Slits beside such a block count as one quad.
+    /// A block exceeds the tolerance where normals turn faster than quads of six pixels can follow,
+    /// or where a normal vanishes. The slits beside such a block count as one quad.
     std::int64_t unproven_quads = 0;
-    /// The blocks that are seen and may have places without a normal. A block's bit is 4 * row +
-    /// column, or bit 0 if the piece is one block.
+    /// A bit for each block that is seen and may have places without a normal. The bit's number is
+    /// 4 * row + column, or 0 if the piece is one block.
     unsigned without_normals = 0;
-    /// The error of depth in the blocks of `without_normals`. It leaves out the distance of corners
-    /// from a plane (l3d_most_off_plane).
+    /// The error of depth in the blocks of `without_normals`, without the distance of quads'
+    /// corners from a plane (l3d_most_off_plane).
     double depth_without_normals = 0;
 
-    /// Adds to `depth` the error of vertices and, in blocks without normals, the distance of
-    /// corners from a plane.
+    /// Adds to `depth` the error of vertices and, in the blocks of `without_normals`, the distance
+    /// of quads' corners from a plane.
     void add_to_depth(double vertices, double off_plane) {
         depth = std::max(depth, depth_without_normals + off_plane) + vertices;
     }
 };
 
-/// Counts of a frame's dicing, and of the patches that were left out because their control net or
-/// its box proves them unseen. `clipped` counts grids.
+/// Counts and error bounds of a frame's dicing. They include the patches left out because their
+/// control net, or the net's box, proves them unseen. `clipped` counts grids, not patches.
 struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
-    std::int64_t behind = 0;      ///< patches left out: behind the near plane
-    std::int64_t beyond = 0;      ///< patches left out: beyond the far plane
-    std::int64_t hidden = 0;      ///< patches left out: hidden by earlier ones
-    std::int64_t unchanged = 0;   ///< patches left out: beside the part that was drawn again
-    std::int64_t backfacing = 0;  ///< patches left out: only their back is turned to the eye
-    std::int64_t back_blocks = 0; ///< blocks left out of drawn patches, for the same reason
-    std::int64_t back_quads = 0;  ///< quads of these blocks
-    std::int64_t as_points = 0;   ///< patches drawn as a point each, without dicing
-    std::int64_t pieces = 0;      ///< grids made; more than `drawn` if patches had to be cut
-    std::int64_t in_lanes = 0;    ///< grids made by l3d_lane_dicer
-    std::int64_t samples = 0;     ///< vertices evaluated
-    std::int64_t failures = 0;    ///< pixels left out because an iteration did not converge
-    double near_z = 0;            ///< the farthest near plane that a patch got, in w; 0: the view's
-    double bound_px = 0;          ///< certified image error of all that was drawn
-    std::int64_t coarse = 0;      ///< patches drawn with a bound above the tolerance
-    std::int64_t unfinished = 0;  ///< coarse patches that a larger budget would make finer
-    l3d_coarse_patch coarsest;    ///< the patch of the largest bound
+    std::int64_t behind = 0;     ///< patches left out: behind the near plane
+    std::int64_t beyond = 0;     ///< patches left out: beyond the far plane
+    std::int64_t hidden = 0;     ///< patches left out: hidden by earlier patches
+    std::int64_t unchanged = 0;  ///< patches left out: beside the part that was drawn again
+    std::int64_t backfacing = 0; ///< patches left out: only their back is turned to the eye
+    /// Blocks of drawn patches left out: only their back is turned to the eye.
+    std::int64_t back_blocks = 0;
+    std::int64_t back_quads = 0; ///< quads of the blocks that back_blocks counts
+    std::int64_t as_points = 0;  ///< patches drawn as a point each, without dicing
+    std::int64_t pieces = 0;     ///< grids made; more than `drawn` if patches had to be cut
+    std::int64_t in_lanes = 0;   ///< grids made by l3d_lane_dicer
+    std::int64_t samples = 0;    ///< vertices evaluated
+    std::int64_t failures = 0;   ///< pixels left out because an iteration did not converge
+    /// The largest w of the near planes: the view's, or a farther one that cut more off a patch. 0
+    /// stands for the view's near plane.
+    double near_z = 0;
+    double bound_px = 0;     ///< certified error of places in the picture, over all that was drawn
+    std::int64_t coarse = 0; ///< patches drawn with a bound above the tolerance
+    std::int64_t unfinished = 0; ///< coarse patches that a larger budget would make finer
+    l3d_coarse_patch coarsest;   ///< the patch with the largest bound
 
     /// Certified distance of all that was drawn from the exact surface, along its normal at the
     /// same parameters.
     /// Units: pixels at that depth.
     double depth_bound_px = 0;
 
-    /// The largest distance, in pixels, between an edge that may be seen and the faces that end at
-    /// it in the model (l3d_trim_curve::edge). It is measured, and the bounds above include it.
+    /// The largest distance, in pixels, between an edge that may be seen and the model's faces that
+    /// end at the edge (l3d_trim_curve::edge). It is measured, and bound_px and depth_bound_px
+    /// include it.
     double edges_px = 0;
 
-    /// Certified distances from edges to the strips that close gaps beside them: in the picture,
-    /// and in depth. Errors of edges and of curved models add nothing to them. Units: pixels.
+    /// Certified distances from edges to the strips that close gaps beside the edges: in the
+    /// picture, and in depth. Errors of edges and of curved models add nothing to them. Units:
+    /// pixels.
     double strips_px = 0, strips_depth_px = 0;
 
     /// Adds an error of `px` pixels to the bounds of all shapes but strips. Strips have no such
@@ -115,7 +124,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// l3d_surface_counts::normal_error holds the error that polygons' shapes add.
     double normal_off = 0;
 
-    /// Largest error of greys against the exact surface at the same parameters. Units: levels.
+    /// Largest error of shade levels against the exact surface at the same parameters. Units:
+    /// levels of 255.
     double shade_bound = 0;
     /// Upper bound of the number of quads that shade_bound does not cover. A frame counts no quad
     /// twice.
@@ -150,7 +160,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
         unproven_quads += other.unproven_quads;
     }
 
-    /// Adds the bounds of a piece of surface, and of the slits along its sides.
+    /// Adds the bounds of a piece of surface. `slit_depth` is the bound of depth in the slits along
+    /// its sides.
     void add_surface(const l3d_surface_certificate& of, double slit_depth) {
         depth_bound_px = std::max({depth_bound_px, of.depth, slit_depth});
         normal_off = std::max(normal_off, of.normal);
@@ -165,8 +176,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     }
 };
 
-/// Switches off rules that leave out patches or parts of them, to measure or judge a rule. A switch
-/// that is true has patches drawn although its rule could leave them out.
+/// Switches that turn off rules by which patches or their parts are left out, to measure or judge a
+/// rule. While a switch is true, its rule leaves nothing out.
 struct L3D_PUBLIC l3d_culling_switches {
     /// Draws patches outside the picture.
     bool outside = false;

@@ -9,7 +9,7 @@
 
 namespace {
 
-/// The pixels whose squares meet the box, even if their centres are not in it.
+/// The pixels whose squares meet the box, even if their centres are not in the box.
 l3d_pixel_box pixels_of(const l3d_image_box& box, const l3d_dice_view& view) {
     const l3d_image_box window = view.window(), seen = box.intersected(window);
     if (seen.empty())

@@ -11,10 +11,11 @@
 #include <cstdint>
 #include <limits>
 
-/// Adds the pixels that drawn patches in the boxes may cover, however vertices are snapped,
-/// balanced or in error. Adds the whole picture if a box reaches the near plane.
+/// Adds to `result` the pixels that patches in the boxes may cover when they are drawn. Room for
+/// the snapping, balancing and errors of vertices is included. Adds the whole picture if a box
+/// reaches the near plane.
 ///
-/// Once there are more than `enough` pixels, no more boxes are looked at.
+/// Once the result has more than `enough` pixels, no more boxes are looked at.
 /// Shape:   to_image takes the boxes' space to (x, y, -, w) in the view's units.
 /// Cost:    that of l3d_detail::cull_boxes.
 void l3d_drawn_pixels(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,

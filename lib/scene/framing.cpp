@@ -22,18 +22,18 @@ constexpr double least_share = 0.6;
 
 /// The largest error of a reach, as a part of the span of the control points.
 constexpr double reach_error = 1e-4;
-/// The most times that parts are quartered. Two times bring control points 16 times nearer to a
-/// patch, so 7 times are more than enough.
+/// The largest number of times that a patch is quartered. Two times bring control points 16 times
+/// nearer to the patch, so 7 times are more than enough.
 constexpr int most_cuts = 7;
 
-/// Dot products of a direction with the control points of a patch, or of a part of it.
+/// Dot products of a direction with the control points of a patch, or of a part of a patch.
 using heights = std::array<double, 16>;
 
 double corner_most(const heights& h) {
     return std::max({h[0], h[3], h[12], h[15]});
 }
 
-/// Halves four numbers, `step` apart, by de Casteljau's scheme.
+/// Halves a cubic by de Casteljau's scheme. Its four control values are `step` elements apart.
 void halve(const double* from, double* low, double* high, std::size_t step) {
     const double ab = (from[0] + from[step]) / 2, bc = (from[step] + from[2 * step]) / 2;
     const double cd = (from[2 * step] + from[3 * step]) / 2;
@@ -54,8 +54,8 @@ std::array<heights, 4> quarters(const heights& whole) {
     return result;
 }
 
-/// Finds the largest height of all patches. Only parts whose control points are above the highest
-/// surface point so far are cut.
+/// Finds the largest height of all patches along a direction. Only parts whose control points are
+/// above the highest surface point so far are cut.
 class highest {
 public:
     void add(const heights& patch) {
@@ -121,7 +121,8 @@ struct wedge {
 
     /// The largest depth of an eye whose planes hold the model.
     double deepest() const { return (least - most) / (2 * slope); }
-    /// The sideways place of the deepest eye. Eyes farther away may move to both sides of it alike.
+    /// The sideways place of the deepest eye. Eyes farther away may move from this place equally
+    /// far to both sides.
     double place() const { return (most + least) / 2; }
     bool holds(double at, double depth) const {
         return at - slope * depth >= most && at + slope * depth <= least;
@@ -155,7 +156,8 @@ bool is_aside(const vector& side, const l3d_camera::frame& axes, const l3d_camer
            (reaches(-1, near_border * slope) && !reaches(1, much_room * slope));
 }
 
-/// The depths at which a model begins and ends along the line of sight, from the origin.
+/// The depths at which a model begins and ends along the line of sight, counted from the world's
+/// origin.
 struct depths {
     double nearest, farthest;
 
@@ -167,8 +169,8 @@ struct depths {
 
     bool is_flat() const { return nearest == farthest; }
 
-    /// The least distance of the eye from the model. A model without any size may be seen from
-    /// anywhere.
+    /// The least distance of the eye from the model that framing allows. A model without any size
+    /// may be seen from anywhere.
     double least_distance() const {
         const double size = (farthest - nearest) * 1e-6;
         const double largest = std::max(std::abs(nearest), std::abs(farthest));
@@ -177,8 +179,8 @@ struct depths {
 };
 
 /// The camera with eye and target at these depths, on the line of sight through the place `line`.
-/// The eye is moved into its allowed range. None if the eye is too near to the target, as for tiny
-/// models.
+/// The eye is moved into its allowed range. Returns nothing if the eye is too near to the target,
+/// as for tiny models.
 /// Expects: the model begins at depth `nearest`.
 std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, double eye,
                                  double target, double nearest) {
@@ -200,7 +202,8 @@ std::optional<l3d_camera> placed(const l3d_camera& camera, const vector& line, d
     return result.is_valid() ? std::optional(result) : std::nullopt;
 }
 
-/// Does what l3d_framed does in perspective; none if no eye is near enough to a tiny model.
+/// Does what l3d_framed does in perspective. Returns nothing if no eye is near enough to a tiny
+/// model.
 /// Expects: the model is not empty.
 std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size size,
                                              const l3d_reach& reach) {
@@ -216,8 +219,8 @@ std::optional<l3d_camera> framed_perspective(const l3d_camera& camera, l3d_size 
     return placed(camera, line, eye, depth.middle(), depth.nearest);
 }
 
-/// Does what l3d_framed does in a parallel projection; none if no eye is near enough to a tiny
-/// model.
+/// Does what l3d_framed does in a parallel projection. Returns nothing if no eye is near enough to
+/// a tiny model.
 std::optional<l3d_camera> framed_parallel(const l3d_camera& camera, l3d_size size,
                                           const l3d_reach& reach) {
     const l3d_camera::frame axes = camera.axes();
@@ -269,13 +272,14 @@ l3d_camera l3d_framed_unless_well(const l3d_camera& camera, l3d_size size, const
 
 namespace {
 
-/// Whether a model is beside the picture, and whether it is within a pixel, in one direction.
+/// Facts about a model's picture in one direction, across or along: whether the model is beside the
+/// picture, and whether it is within a pixel.
 struct side_of_picture {
     bool is_beside, is_within_a_pixel;
 };
 
 /// Compares the model with the planes through the eye and two opposite sides of the picture.
-/// `slope` is the tangent of their angle with `forward`.
+/// `slope` is the tangent of the planes' angle with `forward`.
 side_of_picture seen_along(const vector& side, const vector& forward, const vector& eye,
                            double slope, int pixels, const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), depth = l3d_dot(eye, forward);
@@ -284,7 +288,7 @@ side_of_picture seen_along(const vector& side, const vector& forward, const vect
     return {after || before, wedge(side, forward, slope / pixels, reach).deepest() > depth};
 }
 
-/// Compares the model with the parallel planes at the distance `half` from the eye.
+/// Compares the model with two parallel planes at the distance `half` to both sides of the eye.
 side_of_picture seen_parallel(const vector& side, const vector& eye, double half, int pixels,
                               const l3d_reach& reach) {
     const double at = l3d_dot(eye, side), least = -reach(-side), most = reach(side);

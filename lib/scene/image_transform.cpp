@@ -13,8 +13,8 @@ double power_below(double value) {
 }
 
 /// A bound that stays the same while the value changes a little: the value rounded up to 4 bits, by
-/// a 16th of itself at most. Without it, an object that moves at the end of a scene would change
-/// the errors that all others are diced by. Then the others' pictures would change by a bit.
+/// at most a 16th. Otherwise an object that moves at the end of a scene would change the errors by
+/// which all other objects are diced. Then the pictures of the other objects would change by a bit.
 double steady_bound(double value) {
     if (!(value > 0))
         return value;
@@ -23,14 +23,14 @@ double steady_bound(double value) {
 }
 
 /// Bound of the rounding of a point's coordinates. The matrix (axes, products) is good to some 16
-/// ulps of |direction| (|p| + |eye|). Multiplying a placement in adds 8; four products and three
-/// sums add at most 8. A patch cut in 50 halvings is rounded at its own size, not at that of its
-/// pieces, at 3 midpoints each.
+/// ulps of |direction| (|p| + |eye|). Multiplying it with a placement adds 8; four products and
+/// three sums add at most 8. Each of up to 50 halvings of a patch adds 3 midpoints, which are
+/// rounded in proportion to the patch, not to its pieces.
 constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
 
-/// Rounding turns the picture's axes to the right and down by at most this, divided by the sine
-/// between the line of sight and `up`. It is 4 ulps, for the line of sight and its product with
-/// `up`.
+/// Rounding turns the picture's axes to the right and down by at most this angle, divided by the
+/// sine between the line of sight and `up`. The angle is 4 ulps, for the line of sight and its
+/// product with `up`.
 constexpr double turning = 4 * 0x1p-53;
 
 /// Bound of the distance of any control point from a place: the sum of distances along the axes.
@@ -69,8 +69,9 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
     error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
 }
 
-/// Sees the scene from a far eye. Its distance is 1 / l3d_parallel_part to 2 / l3d_parallel_part
-/// times half of the scene's depth. x and y are those of a parallel projection, exactly.
+/// Sets the transform for a parallel projection: the scene is seen in perspective from a far eye.
+/// The eye's distance is 1 / l3d_parallel_part to 2 / l3d_parallel_part times half of the scene's
+/// depth. x and y are those of the parallel projection, exactly.
 void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch_scene& scene) {
     const l3d_camera::frame axes = camera.axes();
     const double scale = camera.scale_at_target(size_);
@@ -115,8 +116,8 @@ void l3d_image_transform::set_depths(l3d_shading& shading) const {
     shading.depth_base = l3d_dice_view::middle_depth - shading.depth_step * to_target_;
 }
 
-/// The section in the space of transformed points. With h = A p + t, the distance n.p + d is (A^-T
-/// n).h + (d - (A^-T n).t). The columns of A^-T are cross products of rows of A over the
+/// For a place p of the world, let h = A p + t be the transformed point. Then the distance n.p + d
+/// is (A^-T n).h + (d - (A^-T n).t). The columns of A^-T are cross products of rows of A over the
 /// determinant of A.
 l3d_image_section l3d_image_transform::section(const l3d_plane<double>& plane) const {
     using vector = l3d_vector<double, 3>;

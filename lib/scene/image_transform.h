@@ -10,11 +10,12 @@
 #include "scene/dice_view.h"
 #include "scene/patch_scene.h"
 
-/// The camera's matrix, scaled so that its results fit the registers of every number type.
+/// The map from the world to the picture for a frame. It is the camera's matrix, scaled so that its
+/// results fit the registers of every number type.
 ///
-/// Homogeneous points may be scaled freely, here by a power of two, which is exact. It brings w to
-/// at most 2^8, |x| and |y| to at most 2^28. (The 32.32 format has 31 integer bits, and differences
-/// of third order may grow eightfold.)
+/// Homogeneous points may be scaled freely. The factor here is a power of two, which is exact. It
+/// brings w to at most 2^8, |x| and |y| to at most 2^28. (The 32.32 format has 31 integer bits, and
+/// differences of third order may grow eightfold.)
 class l3d_image_transform {
 public:
     l3d_image_transform() = default;
@@ -23,20 +24,22 @@ public:
     /// The matrix from world (x, y, z, 1) to (x, y, -, w).
     const l3d_matrix<double>& matrix() const { return matrix_; }
 
-    /// The picture's data for dicing, in the units of the transformed points. Its errors hold for
-    /// all points of the scene; l3d_dice_view::of_share gives those of some points. Its near plane
-    /// is the camera's, or farther where rounding leaves too little of w.
+    /// The picture's data for dicing, in the units of the transformed points. The view's errors
+    /// hold for all points of the scene; l3d_dice_view::of_share gives the errors of some points.
+    /// The view's near plane is the camera's, or a farther one where rounding leaves too few
+    /// certain digits of w.
     /// Units: tolerance in pixels.
     l3d_dice_view view(double tolerance) const;
 
     /// A plane of the world in the space of the transformed points, with the same distances.
     l3d_image_section section(const l3d_plane<double>& plane) const;
 
-    /// How much farther the eye that w is counted from is than the camera's eye. It is 0, except in
-    /// a parallel projection.
+    /// How much farther from the target the eye is from which w is counted, compared with the
+    /// camera's eye. It is 0, except in a parallel projection.
     double nearer() const { return w_middle_ / depth_scale_ - to_target_; }
 
-    /// Tells a rasterizer what depths stand for in a parallel projection.
+    /// Sets the members of a shading that tell the rasterizer how depths in a parallel projection
+    /// depend on distances. In perspective nothing changes.
     void set_depths(l3d_shading& shading) const;
 
 private:

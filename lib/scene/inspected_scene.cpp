@@ -18,10 +18,10 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// The rows that l3d_placed_net takes for coordinates 0, 1 and 2.
+/// The rows of a matrix that l3d_placed_net takes for coordinates 0, 1 and 2.
 constexpr std::array<int, 3> rows{0, 1, 3};
 
-/// The matrix from the world to steps along the axes, counted from the origin.
+/// The matrix from the world to coordinates along `axes`, counted from `origin`.
 l3d_matrix<double> to_axes(const std::array<vector, 3>& axes, const vector& origin) {
     l3d_matrix<double> result = l3d_identity<double>();
     for (std::size_t i = 0; i < rows.size(); ++i) {

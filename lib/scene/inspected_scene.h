@@ -11,7 +11,8 @@
 
 #include <span>
 
-/// Collects the patches of a frame as the eye sees them.
+/// Collects the patches of a frame, in the coordinates of the eye, for a rasterizer that inspects
+/// surfaces (l3d_inspected_patches).
 ///
 /// Lives: kept from frame to frame for its memory.
 class l3d_inspected_scene {
@@ -19,7 +20,7 @@ public:
     /// Starts a frame. Expects: a valid camera; an inspection whose direction is not 0.
     void begin(const l3d_camera& camera, const l3d_dice_view& view, const l3d_shading& shading);
 
-    /// Adds the patches of a batch in their order, behind those of earlier batches.
+    /// Adds the patches of a batch in their order, after the patches of earlier batches.
     void add(const l3d_patch_scene& scene, std::span<const l3d_placed_patch> batch);
 
     const l3d_inspected_patches& patches() const { return patches_; }
@@ -30,10 +31,10 @@ private:
     bool with_materials_ = false;
 };
 
-/// The number for the end of a curvature's colour scale that suits a scene: nine tenths of the area
-/// have less curvature. It is 1, 2 or 5 times a power of ten; 1 if nothing bends.
+/// The curvature at the end of a colour scale that suits a scene: nine tenths of the scene's area
+/// have less curvature. The number is 1, 2 or 5 times a power of ten; 1 if nothing bends.
 ///
-/// Expects: `gaussian` or `mean`.
+/// Expects: `shade` is `gaussian` or `mean`.
 /// Cost:    some 7 us a patch, but at most 30 ms.
 double l3d_usual_curvature(const l3d_patch_scene& scene, l3d_shade shade);
 

@@ -15,13 +15,13 @@
 
 /// The kind of a line of a surface.
 enum class L3D_PUBLIC l3d_line_kind {
-    contour, ///< the surface turns away from the eye: its outline, or that of a fold
+    contour, ///< the surface turns away from the eye: its outline, or the outline of a fold
     crease,  ///< two pieces meet at an angle of more than two degrees
     border,  ///< the surface ends, or is trimmed
     joint    ///< two faces meet at an edge of the model without an angle
 };
 
-/// A place of a line in the picture.
+/// A vertex of a drawn line, in the picture.
 struct L3D_PUBLIC l3d_drawn_place {
     double x = 0;     ///< pixels from the picture's left border
     double y = 0;     ///< pixels from the upper border
@@ -37,7 +37,7 @@ struct L3D_PUBLIC l3d_drawn_line {
     std::size_t instance = 0;                    ///< the instance's index in the scene
     /// The model's pieces that the stretch runs on or between, each once.
     std::vector<std::size_t> pieces{};
-    /// At least two places. A closed line ends where it begins.
+    /// The vertices of the stretch, at least two. A closed line ends where it begins.
     std::vector<l3d_drawn_place> points{};
 };
 
@@ -46,7 +46,7 @@ struct L3D_PUBLIC l3d_line_settings {
     static constexpr double least_tolerance = 0.01; ///< the least tolerance, in pixels
     static constexpr double most_tolerance = 10;    ///< the largest tolerance, in pixels
 
-    /// The largest distance of lines from the exact ones in the picture, in pixels.
+    /// The largest distance in the picture between drawn lines and exact lines, in pixels.
     double tolerance = 0.1;
     /// Whether lines that surfaces hide are part of the drawing.
     bool hidden = true;
@@ -54,23 +54,23 @@ struct L3D_PUBLIC l3d_line_settings {
     bool joints = false;
 };
 
-/// The lines of a scene's surfaces in a picture.
+/// A drawing of a scene's surfaces as lines, with a bound of its error.
 ///
-/// No point of a line is farther from an exact line of its kind than `bound`, as long as the
-/// surfaces are in front of the near plane. docs/NUMERICS.md, section 28, tells how, and where
-/// visibility is unsure.
+/// Each point of a line is within `bound` of an exact line of its kind, as long as the surfaces are
+/// in front of the near plane. docs/NUMERICS.md, section 28, tells how, and where visibility is
+/// unsure.
 /// Units: pixels.
 struct L3D_PUBLIC l3d_line_drawing {
     l3d_size size{};                     ///< size of the picture
     double bound = 0;                    ///< largest distance from the exact lines in the picture
-    std::vector<l3d_drawn_line> lines{}; ///< in the order of instances and kinds
+    std::vector<l3d_drawn_line> lines{}; ///< sorted by instances, then by kinds
 };
 
 /// Draws the contours, creases and borders of all instances that are not invisible. All surfaces
 /// are opaque, whatever their opacity. The near plane cuts them; the far plane does not.
 ///
-/// Surfaces that pierce each other have no line where they meet. A line that another surface cuts
-/// changes there between seen and hidden.
+/// Surfaces that pierce each other have no line where they meet. A line changes between seen and
+/// hidden where it passes through another surface.
 /// Expects: a valid camera, a size of at least 1 x 1.
 /// Errors:  throws l3d_error(bad_input) for a tolerance beyond the limits.
 /// Cost:    some 1.1 million instructions for each piece of a part that fills a picture of a

@@ -12,15 +12,15 @@ namespace {
 
 using direction = std::array<double, 3>;
 
-/// Error of normals that are rounded to 16383rds, 2^-14.2, and computed in floats. Floats err as
-/// for levels, in parts of 229.5: by 20 * 2^-24 of numbers up to 2^8, times the cancellation of
-/// terms.
+/// The error of normals that are rounded to 16383rds, 2^-14.2, and computed in floats. Floats err
+/// as in shade levels, divided by 229.5: by 20 * 2^-24 of numbers up to 2^8, times the cancellation
+/// of terms.
 constexpr double rounded_normal = 5.3e-5 + 4.4e-5;
 
-/// Error of a channel that is rounded to a whole level, and computed in floats.
+/// The error of a colour channel that is rounded to a whole level, and computed in floats.
 constexpr double rounded_level = 0.5 + 0.01;
 
-/// Powers of a cosine below this are left out of a highlight.
+/// Powers of a cosine that are smaller than this are left out of a highlight.
 constexpr double least_power = 0x1p-12;
 
 constexpr double white = 255, scattered_part = 0.9;
@@ -42,7 +42,7 @@ double angle_of(const direction& a, const direction& b) {
     return std::acos(std::clamp(product / (length_of(a) * length_of(b)), -1.0, 1.0));
 }
 
-/// The steepest slope of max(0, cos)^k. Units: per radian.
+/// The steepest slope of max(0, cos)^k over the angle. Units: per radian.
 double steepest(double k) {
     return k > 1 ? std::sqrt(k) * std::pow(1 - 1 / k, (k - 1) / 2) : 1;
 }
@@ -59,14 +59,17 @@ struct seen_cone {
                 half_angle = std::max(half_angle, angle_of(middle, way_at(shading, x, y)));
     }
 
-    /// The largest angle between a light and the direction to the eye.
+    /// The largest angle between the direction to a light and the direction to the eye, at any
+    /// place of the picture.
     double most_apart(const std::array<float, 3>& light) const {
         const direction from_eye{-double{light[0]}, -double{light[1]}, -double{light[2]}};
         return std::min(angle_of(middle, from_eye) + half_angle, std::numbers::pi);
     }
 };
 
-/// Bound of the error of a highlight of strength 1. Units: angles in radians.
+/// Bound of the error of a highlight of strength 1 and sharpness k. `apart` is the largest angle
+/// between the directions to the light and to the eye; `way` is the error of the latter. Units:
+/// angles in radians.
 double highlight_off(double k, double apart, double normal_angle, double way) {
     // The least length of the sum of both unit directions: their bisector turns by way / length.
     const double least_sum = 2 * std::cos(std::min(apart + way, std::numbers::pi) / 2);

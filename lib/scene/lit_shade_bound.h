@@ -9,18 +9,20 @@
 
 #include <span>
 
-/// The errors that enter a lit pixel's colour.
+/// The errors of geometry from which l3d_lit_shade_bound finds the error of a lit pixel's colour.
 struct l3d_lit_errors {
-    double normal = 0; ///< length between the interpolated normal and the exact unit normal
-    /// Angle between the directions to the eye of the drawn point and of the exact point.
+    /// Length of the difference of the interpolated normal and the exact unit normal.
+    double normal = 0;
+    /// Angle between two directions to the eye: from the drawn point and from the exact point.
+    /// Units: radians.
     double way = 0;
 };
 
 /// A bound of the error of any channel of a lit pixel, against the exact surface at the same
 /// parameters. NUMERICS, section 24.
 ///
-/// A highlight is as steep as its sharpness makes it, and begins abruptly where a light rises above
-/// the surface. So a light from behind the surface may add all of its highlight.
+/// A highlight begins abruptly where a light rises above the surface. So the bound counts all of
+/// the highlight of a light that may be behind the surface.
 /// Units:   levels of 255, at most 255.
 /// Expects: `look` of the shading is that of a picture of this size.
 double l3d_lit_shade_bound(const l3d_shading& shading, std::span<const l3d_material> materials,

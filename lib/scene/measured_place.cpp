@@ -20,11 +20,11 @@ l3d_surface_jet::vector around(const vector& v, double radius) {
             l3d_interval::around(v[2], radius)};
 }
 
-/// Derivatives, in the world, of the exact piece that holds the picked patch.
+/// Measures the exact piece that holds the picked patch, from its derivatives in the world.
 ///
-/// Their rounding grows with their order. A derivative of order k is a sum of control points times
-/// degrees to the k-th power. The ratio of weights counts once more for each order. Evaluating,
-/// dividing and placing take less than 128 roundings.
+/// The rounding of derivatives grows with their order. A derivative of order k is a sum of control
+/// points times degrees to the k-th power. The ratio of weights counts once more for each order.
+/// Evaluating, dividing and placing take less than 128 roundings.
 l3d_surface_jet exact_jet(const l3d_patch_instance& instance, const l3d_pick& pick) {
     const l3d_patch_model& model = instance.model();
     const l3d_nurbs_surface piece = model.surface(model.piece_of(pick.patch));

@@ -11,8 +11,8 @@
 #include <limits>
 #include <string>
 
-/// A place of a surface with its normal and its curvatures. Each has the largest distance from the
-/// exact value, rounding included.
+/// A place of a surface with its normal and its curvatures. Each value has an error: its largest
+/// distance from the exact value, rounding included.
 ///
 /// Units: those of the world; curvatures are 1 / radius.
 struct L3D_PUBLIC l3d_measured_place {
@@ -24,10 +24,10 @@ struct L3D_PUBLIC l3d_measured_place {
     vector normal{0.0, 0.0, 0.0}; ///< the unit normal, turned to the eye; zero if there is none
     double normal_error = 0;      ///< the length of the normal's difference from the exact one
 
-    /// The principal curvatures, the larger one first: positive where the surface bends towards the
-    /// normal.
+    /// The principal curvatures, the larger one first. A curvature is positive where the surface
+    /// bends towards the normal.
     std::array<double, 2> curvatures{};
-    /// The error of both; infinite where the surface has no normal.
+    /// The error of both curvatures; infinite where the surface has no normal.
     double curvature_error = std::numeric_limits<double>::infinity();
 
     /// The radii of curvature with their error, for people: the smaller one first, and "flat" where

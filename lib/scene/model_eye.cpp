@@ -8,12 +8,12 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// The linear part of a row, without its constant.
+/// The first three numbers of a matrix' row, without the constant.
 vector linear(const l3d_matrix<double>& m, int row) {
     return {m(row, 0), m(row, 1), m(row, 2)};
 }
 
-constexpr int x = 0, y = 1, w = 3; ///< rows
+constexpr int x = 0, y = 1, w = 3; ///< rows of to_image
 
 } // namespace
 

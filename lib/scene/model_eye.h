@@ -8,13 +8,13 @@
 
 #include <optional>
 
-/// The eye's place in a model's space: the point whose x, y and w are 0.
+/// The eye's place in a model's space: the point that to_image takes to x = y = w = 0.
 ///
 /// Shape:  to_image takes the model's space to (x, y, -, w).
 /// Errors: nothing if there is no such point.
 std::optional<l3d_vector<double, 3>> l3d_eye_of(const l3d_matrix<double>& to_image);
 
-/// The least w in the model's box.
+/// The least w of any point in the model's box. to_image takes the model's space to (x, y, -, w).
 double l3d_least_w_of(const l3d_patch_model& model, const l3d_matrix<double>& to_image);
 
 #endif

@@ -20,9 +20,9 @@
 
 namespace {
 
-/// The path of a file that another file names. The file is looked for beside that other file, even
-/// if the name is a path on another machine or of Windows. A model from a pipe has no folder; the
-/// current folder stands for it.
+/// The path at which a file `named` in the file `path` is looked for. It is in the folder of
+/// `path`, even if the name is a path on another machine or of Windows. A model from a pipe has no
+/// folder; the current folder stands for it.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);
@@ -41,7 +41,7 @@ std::string beside(const std::string& path, std::string named) {
     return place();
 }
 
-/// The text of a file; "" with the reason in `why` if it cannot be read.
+/// The text of a file; "" with the reason in `why` if the file cannot be read.
 std::string text_of(const std::string& path, std::string& why) {
     try {
         return l3d_read_text_file(path);
@@ -51,7 +51,7 @@ std::string text_of(const std::string& path, std::string& why) {
     }
 }
 
-/// Notes materials that no file describes; the first five are named.
+/// Adds a note about a model's materials that no file describes. The note names the first five.
 void note_unknown(std::span<const l3d_named_material> known, const std::string& name,
                   l3d_model_file& model) {
     constexpr std::size_t most = 5;
@@ -77,8 +77,9 @@ struct material_text {
         : place(beside(path, named)), text(text_of(place, why)) {}
 };
 
-/// The files that a statement names. It may name several, and a name may have spaces. The whole
-/// statement is one name if there is such a file, or if none of its words is a file either.
+/// The files of materials that a statement of a model file names. It may name several files, and a
+/// name may have spaces. The whole statement is one name if there is such a file, or if none of its
+/// words names a file.
 std::vector<material_text> texts_of(const std::string& path, const std::string& named) {
     const material_text whole(path, named);
     std::vector<material_text> each;
@@ -118,9 +119,9 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
         note_unknown(materials, name, model);
 }
 
-/// Makes hills of a picture: each pixel's grey is a height, and pixels are one unit apart. White is
-/// a quarter of the longer side above black, so that the hills of most pictures look neither flat
-/// nor like needles.
+/// Makes a model of hills from a picture: each pixel's grey is a height, and pixels are one unit
+/// apart. White is higher than black by a quarter of the picture's longer side. With this height,
+/// the hills of most pictures look neither flat nor like needles.
 l3d_model_file heights_of(const std::string& bytes, const std::string& name) {
     l3d_detail::png_levels picture = l3d_detail::decoded_png_levels(bytes, name, l3d_most_heights);
     const double white = std::max(picture.size.width, picture.size.height) / 4.0;

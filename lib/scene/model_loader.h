@@ -8,8 +8,8 @@
 
 #include <string>
 
-/// Reads a model file, and the files of materials that it names, from its own folder. Unreadable
-/// materials become notes. Messages call the model by `name`.
+/// Reads a model file, and the files of materials that it names, from the model file's folder.
+/// Unreadable materials become notes. Messages call the model by `name`.
 /// Errors: throws l3d_error(bad_input) with file, line and reason.
 l3d_model_file l3d_load_model(const std::string& path, const std::string& name,
                               const l3d_detail::reading_progress& progress = {});

@@ -27,7 +27,7 @@ namespace {
 
 using vector = l3d_patch_model::vector;
 
-/// The error message for a patch that is no piece of a curved model; "" if it is one.
+/// The error message for a patch that cannot be a piece of a curved model; "" if it can.
 std::string complaint_of(const l3d_patch_points& patch) {
     const auto well = [](int degree) { return degree >= 1 && degree <= l3d_bpt_largest_degree; };
     const std::string of_degree =
@@ -53,8 +53,8 @@ std::string complaint_of(const l3d_patch_points& patch) {
     return of_trims.empty() ? "" : ": " + of_trims;
 }
 
-/// The error message for patches that make no model, naming the first number at fault; "" if they
-/// make one.
+/// The error message for patches that cannot make a model, naming the first number at fault; "" if
+/// they can.
 std::string complaint_of(const std::vector<l3d_patch_model::patch>& patches) {
     for (std::size_t p = 0; p < patches.size(); ++p)
         for (std::size_t i = 0; i < 16; ++i)
@@ -94,8 +94,9 @@ std::vector<l3d_space_curve> curves_of(const l3d_model_file& file) {
 } // namespace
 
 struct l3d_patch_model::paint {
-    std::vector<l3d_material> materials;  ///< without duplicates
-    std::vector<std::uint32_t> of_pieces; ///< indices of materials; empty if there is only one
+    std::vector<l3d_material> materials; ///< the different materials, each once
+    /// For each piece, the index of its material; empty if all have the same.
+    std::vector<std::uint32_t> of_pieces;
 };
 
 l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}

@@ -36,6 +36,7 @@ struct l3d_trim_region;
 struct l3d_patch_points;
 
 /// The largest magnitudes of a patch's coordinates, for the whole control net and for each edge.
+/// Bounds of rounding errors are computed from them.
 ///
 /// Shape: edges in the order v = 0, v = 1, u = 0, u = 1.
 struct L3D_PUBLIC l3d_patch_reach {
@@ -45,11 +46,12 @@ struct L3D_PUBLIC l3d_patch_reach {
 
 /// An edge whose distance from its faces exceeds the file's tolerance.
 struct L3D_PUBLIC l3d_loose_edge {
-    std::size_t edge = 0;                       ///< index in l3d_patch_model::edges
-    double off = 0;                             ///< the largest distance found
-    double tolerance = 0;                       ///< the distance that the file allows
-    l3d_vector<double, 3> place{0.0, 0.0, 0.0}; ///< where it was found, on the edge
-    std::vector<std::size_t> pieces;            ///< the pieces whose trims follow the edge
+    std::size_t edge = 0; ///< index in l3d_patch_model::edges
+    double off = 0;       ///< the largest distance from the faces that was found
+    double tolerance = 0; ///< the distance from the faces that the file allows
+    /// Where on the edge the largest distance was found.
+    l3d_vector<double, 3> place{0.0, 0.0, 0.0};
+    std::vector<std::size_t> pieces; ///< the pieces whose trims follow the edge
 };
 
 /// A set of bicubic patches, each with its exact normal net and its box. Coordinates are those of
@@ -75,7 +77,7 @@ public:
     l3d_patch_model();
     /// Shares the contents.
     l3d_patch_model(const l3d_patch_model&) = default;
-    /// Shares the contents of the other model, and lets go of its own.
+    /// Shares the contents of the other model in place of its own contents.
     l3d_patch_model& operator=(const l3d_patch_model&) = default;
     ~l3d_patch_model() = default;
 
@@ -122,13 +124,13 @@ public:
     static std::optional<l3d_patch_model> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);
 
-    /// The same patches, with the colours, parts, curves and errors that this file gives them.
+    /// The same patches, with the colours, parts, curves and errors that `file` gives them.
     /// Expects: a file of pieces() patches without placements.
     l3d_patch_model dressed(const l3d_model_file& file) const;
 
     /// A model of the pieces of NURBS surfaces, in their order. Surfaces meet without a gap where
-    /// they have the same control points, weights and knots along a boundary, and where curves of
-    /// their trims follow the same one of these edges (l3d_trim_curve::edge).
+    /// they have the same control points, weights and knots along a boundary. They also do where
+    /// curves of their trims follow the same edge of `edges` (l3d_trim_curve::edge).
     /// Errors: throws l3d_error(bad_input) as from_patches, and if a trim follows an edge that is
     ///         not there.
     static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces,
@@ -139,8 +141,8 @@ public:
     std::size_t pieces() const;
     /// The index of the piece that a patch belongs to. Expects: index < patches().size().
     std::size_t piece_of(std::size_t index) const;
-    /// The part of its piece that a patch covers: all of it, unless the model is curved. Expects:
-    /// as piece_of.
+    /// The part of its piece that a patch covers: the whole piece, unless the model is curved.
+    /// Expects: as piece_of.
     l3d_parameter_range range_in_piece(std::size_t index) const;
 
     /// The number of a piece's face in the file, from 1; 0 if the file numbers none.
@@ -157,12 +159,13 @@ public:
     /// Cost:   as from_surfaces for patches that differ; bounds of equal patches are copied.
     l3d_patch_model reshaped(std::span<const l3d_nurbs_surface> surfaces) const;
 
-    /// Whether its patches approximate pieces that are not bicubic.
+    /// Whether the model's patches approximate pieces that are not bicubic.
     bool is_curved() const { return source_ != nullptr; }
-    /// The same curved model with finer or coarser patches; any other model is the same at all
-    /// levels. There are levels of places and levels of normals. Both run from 0, the coarsest,
-    /// with which models are made, to most_level(). Two levels more divide the bound of places by
-    /// 4, and that of normals by 8, as long as this takes no more than 2^17 patches.
+    /// The same curved model with finer or coarser patches; a model that is not curved is the same
+    /// at all levels. Levels say how fine the patches are: one level for the error of places,
+    /// another for that of normals. Both run from 0, the coarsest, with which models are made, to
+    /// most_level(). Two levels more divide the error bound of places by 4, and that of normals by
+    /// 8. This holds as long as no more than 2^17 patches are needed.
     /// Expects: 0 <= places, normals <= most_level().
     /// Cost:    some 20 us a patch when a level is first asked for. Its patches are kept as long as
     ///          any copy of the model lives.
@@ -173,13 +176,13 @@ public:
     /// the level's patches are made.
     /// Expects: as at_level.
     double error_at_level(int places, int normals) const;
-    /// A bound of the number of a level's patches. It is known before they are made.
+    /// A bound of the number of a level's patches. It is known before the patches are made.
     /// Expects: as at_level.
     double patches_at_level(int places, int normals) const;
-    /// The same curved model, with the patches that a region may show. Each is as fine as its depth
-    /// asks for. Nothing if the region shows no patch.
+    /// The same curved model with only the patches that may be seen in the wish's region. Each
+    /// patch is as fine as its depth asks for. Nothing if no patch may be seen in the region.
     /// Expects: a curved model, a wish with a region in its coordinates.
-    /// Cost:    some 50 us a patch when a wish is new; patches of the last eight are kept.
+    /// Cost:    some 50 us a patch when a wish is new; patches of the last eight wishes are kept.
     std::optional<l3d_patch_model> seen(const l3d_cell_wish& wanted) const;
     /// The largest ratio of a patch's error to the error that the wish allowed it, in a model that
     /// seen() made.
@@ -190,55 +193,58 @@ public:
 
     /// The same pieces as approximations of another surface. These errors become part of the bounds
     /// of pictures.
-    /// Expects: an error for each piece, finite and not negative. No errors at all say that the
+    /// Expects: an error for each piece, finite and not negative. An empty list says that the
     ///          pieces are the surface itself.
     l3d_patch_model standing_for(std::span<const l3d_patch_error> errors) const;
 
-    /// Whether its patches are the surface itself, not approximations of it.
+    /// Whether the model's patches are the surface itself, not approximations of a surface.
     bool is_exact() const { return !is_curved() && !stated_; }
 
     /// Bound of the distance between the patches and the surface that they approximate, at the same
-    /// parameters: the pieces of a curved model, or the surface of standing_for(). Else 0.
+    /// parameters. That surface is the pieces of a curved model, or the surface of standing_for().
+    /// The bound is 0 for other models.
     double surface_error() const;
-    /// The same for one patch. Expects: index < patches().size().
+    /// The bound surface_error() for one patch. Expects: index < patches().size().
     double surface_error(std::size_t index) const;
-    /// Bound of the distance between unit normals of the patches and those of the surface that they
-    /// approximate, at the same parameters. It is 0 for models without surface_error(), and
-    /// infinite where a normal vanishes inside of a patch of a curved model.
+    /// Bound of the difference between unit normals of the patches and of the surface that they
+    /// approximate, at the same parameters. It is 0 for models without surface_error(). It is
+    /// infinite if a normal vanishes inside of a patch of a curved model.
     double normal_error() const;
-    /// Whether normal_error() holds for a patch. It does not where nothing is known about the
-    /// normals of the approximated surface.
+    /// Whether the bound normal_error() holds for a patch. It does not hold where nothing is known
+    /// about the normals of the approximated surface.
     /// Expects: index < patches().size().
     bool has_normal_error(std::size_t index) const;
 
-    /// The sides that meet two patches of half the size, in the order of patches. A half of the
-    /// side has the control points of the smaller patch's side. Pictures draw the side as its two
-    /// halves, so that no gap shows.
+    /// The sides that meet two smaller patches, each along half of the side, in the order of
+    /// patches. A half of the side has the control points of the smaller patch's side. Pictures
+    /// draw such a side as its two halves, so that no gap shows.
     std::span<const l3d_halved_side> halved_sides() const;
-    /// Bits of a patch's edges that are halved, in the order of l3d_patch_reach::edges.
+    /// A bit for each edge of a patch that is one of halved_sides(), in the order of
+    /// l3d_patch_reach::edges.
     /// Expects: index < patches().size().
     unsigned halved_edges(std::size_t index) const;
 
-    /// Whether any of its pieces is trimmed.
+    /// Whether any of the model's pieces is trimmed.
     bool has_trims() const;
-    /// The part of a patch that its trims leave; null where they leave all.
+    /// The part of a patch that its trims leave; null if they leave all of the patch.
     /// Expects: index < patches().size().
     const l3d_trim_region* trim(std::size_t index) const;
-    /// The edges at which its trimmed pieces end.
+    /// The edges at which the model's trimmed pieces end.
     std::span<const l3d_shared_edge> edges() const;
-    /// Tells how many edges are off their faces by more than the file's own tolerance, and by how
-    /// much the worst is; "" if none is. Pictures close such gaps all the same.
+    /// A text about edges that are off their faces by more than the file's own tolerance: how many
+    /// there are, and how far the worst one is off. It is "" if no edge is. Pictures close such
+    /// gaps all the same.
     std::string edges_note() const;
-    /// Those edges, the worst one first.
+    /// The edges that edges_note() counts, the worst one first.
     std::vector<l3d_loose_edge> loose_edges() const;
     /// Whether the trims of a patch follow edges. Expects: index < patches().size().
     bool follows_edges(std::size_t index) const;
 
-    /// An address by which copies of one model know each other at all levels. No other model that
-    /// lives at the same time has it.
+    /// An address that copies of one model have in common at all levels. No other model that lives
+    /// at the same time has this address.
     const void* source_identity() const;
 
-    /// The least x, y and z of the pieces' control points. It is least(), unless the model is
+    /// The least x, y and z of the pieces' control points: the same as least(), unless the model is
     /// curved.
     const vector& pieces_least() const;
     /// The largest x, y and z of the pieces' control points.
@@ -260,7 +266,7 @@ public:
     /// The named parts of the pieces.
     const l3d_parts& parts() const;
 
-    /// The same patches, with another material for those of one part.
+    /// The same patches, with another material for the patches of one part.
     /// Expects: an index of parts().names().
     l3d_patch_model part_painted(std::size_t part, const l3d_material& material) const;
 
@@ -280,7 +286,7 @@ public:
     /// The lines in space that belong to the model, in its own coordinates.
     std::span<const l3d_space_curve> curves() const;
 
-    /// The different opacities of the pieces' materials, in their order.
+    /// The different opacities of the pieces' materials, each once, in the order of the pieces.
     std::vector<float> opacities() const;
     /// A model of the patches whose materials have an opacity from `least` to `most`. Lines are
     /// opaque.
@@ -307,8 +313,9 @@ public:
     /// The largest magnitudes of a patch's coordinates. Expects: as normals.
     const l3d_patch_reach& reach(std::size_t index) const;
 
-    /// 1 if the model is proven to be a closed body whose normals point outwards, -1 if they point
-    /// inwards. 0 if it is not proven to be closed (l3d_orientation_of).
+    /// 1 if the model is proven to be a closed body whose normals point outwards; -1 if it is
+    /// proven closed and they point inwards. 0 if the model is not proven to be closed
+    /// (l3d_orientation_of).
     int orientation() const;
 
     /// The least x, y and z of all control points.
@@ -316,14 +323,15 @@ public:
     /// The largest x, y and z of all control points.
     const vector& most() const;
 
-    /// The upright boxes of the patches' control points, in the order of patches().
+    /// The axis-aligned boxes of the patches' control points, in the order of patches().
     const l3d_box_lanes& boxes() const;
 
-    /// An address by which copies of one model know each other, however they are painted. No other
-    /// model that lives at the same time has it, even one of equal patches. A level of a curved
+    /// An address that copies of one model have in common, however they are painted. No other model
+    /// that lives at the same time has this address, even one of equal patches. A level of a curved
     /// model with other patches counts as another model.
     const void* identity() const;
-    /// An address by which models with shared materials know each other; null if all are plain.
+    /// An address that models with shared materials have in common; null if all materials are
+    /// plain.
     const void* paint_identity() const;
 
 private:
@@ -332,7 +340,7 @@ private:
     std::shared_ptr<const contents> contents_;
 
     struct source;
-    std::shared_ptr<const source> source_; ///< null unless it is curved
+    std::shared_ptr<const source> source_; ///< null unless the model is curved
     // These functions copy the bounds of patches that are equal to patches of `like`, which may be
     // null.
     l3d_patch_model(std::vector<patch> patches, const contents* like);
@@ -352,12 +360,12 @@ private:
     l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
     std::vector<l3d_material> piece_materials() const;
 
-    std::shared_ptr<const std::vector<std::uint32_t>> faces_; ///< null if there are none
+    std::shared_ptr<const std::vector<std::uint32_t>> faces_; ///< null without numbers
     struct stated;
-    std::shared_ptr<const stated> stated_;                       ///< null if there is none
-    std::shared_ptr<const paint> paint_;                         ///< null if all is plain
-    std::shared_ptr<const l3d_parts> parts_;                     ///< null if there are none
-    std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null if there are none
+    std::shared_ptr<const stated> stated_;   ///< null if no errors are stated
+    std::shared_ptr<const paint> paint_;     ///< null if all materials are plain
+    std::shared_ptr<const l3d_parts> parts_; ///< null without parts
+    std::shared_ptr<const std::vector<l3d_space_curve>> curves_; ///< null without lines
 };
 
 #endif

@@ -21,7 +21,7 @@ bool is_affine(const l3d_matrix<double>& m) {
     return m(3, 0) == 0 && m(3, 1) == 0 && m(3, 2) == 0 && m(3, 3) == 1;
 }
 
-/// Largest magnitude in the upper left three by three.
+/// The largest magnitude in a matrix' upper left three by three.
 double largest(const l3d_matrix<double>& m) {
     double result = 0;
     for (int row = 0; row < 3; ++row)
@@ -30,8 +30,8 @@ double largest(const l3d_matrix<double>& m) {
     return result;
 }
 
-/// The cofactors of the upper left three by three, scaled so that the largest is 1. The matrix is
-/// scaled first, so that products neither overflow nor vanish.
+/// The cofactors of a matrix' upper left three by three, scaled so that the largest is 1. The
+/// matrix is scaled first, so that products neither overflow nor vanish.
 l3d_matrix<double> cofactors(const l3d_matrix<double>& m) {
     const double scale = 1 / largest(m);
     const auto at = [&](int row, int column) { return m(row % 3, column % 3) * scale; };
@@ -55,9 +55,9 @@ bool is_finite(const l3d_matrix<double>& m) {
     return true;
 }
 
-/// Whether the upper left three by three certainly has an inverse: its determinant is farther from
-/// zero than rounding can put it. Each of the six products has at most four roundings of 2^-53, and
-/// summing them adds five: below 16 roundings in all.
+/// Whether a matrix' upper left three by three certainly has an inverse: the computed determinant
+/// exceeds its own rounding. Each of the six products has at most four roundings of 2^-53, and
+/// their sum adds five: below 16 roundings in all.
 bool can_be_inverted(const l3d_matrix<double>& m) {
     constexpr double rounding = 16 * 0x1p-53;
     const double most = largest(m);
@@ -101,7 +101,7 @@ std::int64_t patches_of(const l3d_patch_model& model) {
     return static_cast<std::int64_t>(model.patches().size());
 }
 
-/// The factor of a similarity, rounded up; 0 for any other map.
+/// The factor by which a similarity multiplies lengths, rounded up; 0 for any other map.
 double scale_of(const l3d_matrix<double>& placement) {
     constexpr double rounding = 0x1p-40; // some roundings of 2^-53
     double products[3][3] = {};
@@ -213,7 +213,7 @@ void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
     extent_count_ = 0;
 }
 
-/// Keeps the box that an instance had before its first change.
+/// Notes a change of an instance. At its first change, the instance's box is kept in moved_from_.
 void l3d_patch_scene::note_change(std::size_t index) {
     if (is_moved_[index])
         return;
@@ -350,8 +350,9 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     return materials_;
 }
 
-/// The box of everything. It grows by the instances that were added since the last call. After a
-/// move all instances are looked at, since the box without the moved one is unknown.
+/// The box of all instances. It grows by the instances that were added since the last call. After
+/// an instance was moved, all instances are looked at, since the box without the moved instance is
+/// unknown.
 const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
     if (extent_count_ == 0)
         extent_ = {};

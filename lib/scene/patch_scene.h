@@ -24,7 +24,7 @@
 #include <string_view>
 #include <vector>
 
-/// A part of a patch by its parameters.
+/// A rectangular part of a patch, by its parameters.
 struct L3D_PUBLIC l3d_parameter_range {
     double u0 = 0; ///< where u begins
     double u1 = 1; ///< where u ends
@@ -48,17 +48,19 @@ struct L3D_PUBLIC l3d_parameter_range {
 ///     scene.lay(0, {.texture = l3d_read_texture("wood.png", notes)});
 ///
 /// Shape: a place of a picture is (0, 0) in its upper left corner and (1, 1) in the lower right
-///        one. Beyond, l3d_texture_wrap says what is seen. Corners of a patch are those at
-///        parameters (u, v) of (0, 0), (1, 0), (0, 1) and (1, 1).
+///        one. Beyond the picture's borders, l3d_texture_wrap says what is seen. Corners of a patch
+///        are those at parameters (u, v) of (0, 0), (1, 0), (0, 1) and (1, 1).
 struct L3D_PUBLIC l3d_laid_picture {
-    /// The places of a patch's corners; between them, places are bilinear in u and v.
+    /// The places of a patch's corners in the picture. Between the corners, places are bilinear in
+    /// u and v.
     using corners = std::array<std::array<double, 2>, 4>;
     /// The corners that lay the whole picture on a patch.
     static constexpr corners whole{{{0, 0}, {1, 0}, {0, 1}, {1, 1}}};
 
-    std::shared_ptr<const l3d_texture> texture; ///< without one, the colours of materials are seen
-    /// The corners of each piece of the model, in order. Without them, the whole picture lies on
-    /// each piece.
+    /// The picture; null shows the colours of materials.
+    std::shared_ptr<const l3d_texture> texture;
+    /// The corners of each piece of the model, in order. If the list is empty, the whole picture
+    /// lies on each piece.
     std::vector<corners> pieces{};
 
     friend bool operator==(const l3d_laid_picture&, const l3d_laid_picture&) = default;
@@ -68,18 +70,19 @@ struct L3D_PUBLIC l3d_laid_picture {
 /// t axes[2] with r, s, t in [-1, 1].
 struct L3D_PUBLIC l3d_slanted_box {
     l3d_vector<double, 3> centre{0.0, 0.0, 0.0}; ///< the middle, in world units
-    std::array<l3d_vector<double, 3>, 3> axes{}; ///< from the middle to three sides that meet
+    /// Vectors from the middle to the middles of three sides that meet.
+    std::array<l3d_vector<double, 3>, 3> axes{};
     double reach = 0; ///< l3d_patch_instance::reach() of points inside; 0: unknown
 };
 
-/// Boxes held so that a processor's lanes can each take one.
+/// A list of boxes for SIMD code: each lane takes one box.
 ///
 /// Shape: one array per coordinate, box i in element i. The arrays have room for a multiple of
 ///        `lanes`, with meaningless numbers behind the last box.
-/// Cost:  13 doubles a box. add allocates only when there are more than ever before.
+/// Cost:  13 doubles a box. add allocates only when there are more boxes than ever before.
 class L3D_PUBLIC l3d_box_lanes {
 public:
-    static constexpr std::size_t lanes = 16; ///< the arrays have room for a multiple of this
+    static constexpr std::size_t lanes = 16; ///< the arrays have room for a multiple of this number
 
     /// The number of boxes.
     std::size_t count() const { return count_; }
@@ -112,7 +115,7 @@ public:
         return &axes_[k][i][first];
     }
 
-    /// The bounds l3d_slanted_box::reach, from box `first` on.
+    /// The members l3d_slanted_box::reach, from box `first` on.
     const double* reach(std::size_t first) const { return &reach_[first]; }
 
 private:
@@ -149,16 +152,17 @@ public:
     /// Puts the same model elsewhere. Expects: as the constructor.
     void place(const l3d_matrix<double>& placement);
 
-    /// Puts another level of the same model in its place.
+    /// Puts another level of the instance's model in place of the model.
     /// Expects: a model that at_level() made of model().
     void take_level(const l3d_patch_model& level) { model_ = level; }
 
-    /// Gives the whole instance one material; without one, the model's own are seen.
+    /// Gives the whole instance one material. Without a material, those of the model are seen.
     void paint(const std::optional<l3d_material>& material) { material_ = material; }
     /// The material of the whole instance, if it has one of its own.
     const std::optional<l3d_material>& material() const { return material_; }
 
-    /// Lays a picture on the whole instance; its light is multiplied by that of the material.
+    /// Lays a picture on the whole instance. The picture's light is multiplied by that of the
+    /// material.
     void lay(const l3d_laid_picture& picture) { picture_ = picture; }
     /// The picture that lies on the instance.
     const l3d_laid_picture& picture() const { return picture_; }
@@ -177,12 +181,13 @@ public:
     bool turns_normals() const { return turns_normals_; }
 
     /// The matrix that takes the model's normals to the world: the cofactors of the placement,
-    /// scaled so that the largest is 1. Cofactors do this since (A a) x (A b) = cof(A) (a x b).
+    /// scaled so that the largest is 1. Cofactors turn normals correctly, since (A a) x (A b) =
+    /// cof(A) (a x b).
     /// Shape:   the upper left three by three; the rest as in the identity.
     const l3d_matrix<double>& normal_matrix() const { return normal_matrix_; }
 
-    /// The factor by which the placement multiplies all lengths; 0 if it does not multiply all
-    /// alike.
+    /// The factor by which the placement multiplies all lengths; 0 if it multiplies lengths by
+    /// different factors.
     double scale() const { return scale_; }
     /// Upper bound of the factor by which lengths grow: scale(), or else the Frobenius norm.
     double stretch() const;
@@ -190,9 +195,9 @@ public:
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of a sum of magnitudes: those of the terms that add up to a point's world coordinates.
-    /// Rounding errors are in proportion to it. It holds for points of the model with coordinates
-    /// of magnitude at most `most`.
+    /// Bound of the sum of the magnitudes of all terms that add up to a point's world coordinates.
+    /// Rounding errors are in proportion to this sum. It holds for points of the model with
+    /// coordinates of magnitude at most `most`.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
 
     /// The bound reach(most) for all points of the model.
@@ -269,16 +274,17 @@ public:
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
-    /// Gives all of an instance one material; without one, its model's own are seen again. The
-    /// material stays when the instance is placed elsewhere, until another model takes its place.
+    /// Gives all of an instance one material. Without a material, those of its model are seen
+    /// again. The material stays when the instance is placed elsewhere, until another model takes
+    /// its place.
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
-    /// Lays a picture on the patches of an instance; one without a texture takes the picture away.
-    /// Shades that show light show the picture, whose light is multiplied by that of the material.
-    /// The picture stays when the instance is placed elsewhere, until another model takes its
-    /// place.
-    /// Expects: an index of instances(); corners for no piece or for each one of the model.
+    /// Lays a picture on the patches of an instance. An l3d_laid_picture without a texture takes
+    /// the picture away. Shades that show light show the picture; its light is multiplied by that
+    /// of the material. The picture stays when the instance is placed elsewhere, until another
+    /// model takes its place.
+    /// Expects: an index of instances(); corners for no piece, or for each piece of the model.
     void lay(std::size_t index, const l3d_laid_picture& picture);
     /// Whether a picture lies on any instance.
     bool has_pictures() const;
@@ -287,16 +293,17 @@ public:
     /// Whether the model of any instance has lines in space.
     bool has_curves() const;
 
-    /// Makes an instance transparent: a pixel mixes `opacity` of its light with the rest of the
-    /// light that is seen without it. The instance itself shows its nearest surface alone. The
-    /// opacity lasts as long as a material of paint() would.
+    /// Makes an instance transparent. A pixel shows the share `opacity` of the instance's light and
+    /// the share 1 - opacity of the light seen without the instance. The instance itself shows its
+    /// nearest surface alone. The opacity lasts as long as a material of paint() would.
     /// Expects: an index of instances().
     /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
     ///          most_transparent transparent instances; then nothing changes.
     /// Cost:    a frame draws everything in the instance's box twice; where the boxes of n
     ///          transparent instances overlap, 2^n times.
     void set_opacity(std::size_t index, double opacity);
-    /// Transparent instances that a scene may have. Where all overlap, 256 pictures are mixed.
+    /// The largest number of transparent instances in a scene. Where all of them overlap, 256
+    /// pictures are mixed.
     static constexpr std::size_t most_transparent = 8;
     /// The number of instances with an opacity below 1.
     std::size_t transparent_count() const { return transparent_count_; }
@@ -322,10 +329,10 @@ public:
         return first_materials_[instance] + (of.material() ? 0 : of.model().material_of(patch));
     }
 
-    /// Chooses the level of each curved model that a picture needs, and returns bounds of the
-    /// errors of these levels, and of other patches that approximate a surface. Pipelines do so
-    /// before each frame. Levels depend on the view and on placements alone, and do not count as a
-    /// change of the scene.
+    /// Chooses the level of each curved model that a picture needs (l3d_patch_model::at_level).
+    /// Returns bounds of the errors of these levels, and of other patches that approximate a
+    /// surface. Pipelines call it before each frame. Levels depend on the view and on placements
+    /// alone, and do not count as a change of the scene.
     l3d_curved_error choose_levels(const l3d_level_view& view);
 
     /// Whether any instance's patches approximate other surfaces.
@@ -337,8 +344,8 @@ public:
     /// Whether anything has changed since the last forget_changes().
     bool is_changed() const { return is_rebuilt_ || !moved_.empty(); }
 
-    /// Whether instances came or went since the last forget_changes(). If so, moved() does not tell
-    /// all changes.
+    /// Whether instances were added or taken away since the last forget_changes(). If so, moved()
+    /// does not tell all changes.
     bool is_rebuilt() const { return is_rebuilt_; }
 
     /// The instances that were changed since the last forget_changes(), each once: placed
@@ -353,24 +360,24 @@ public:
     /// The instances with their placements, in the order in which they were added.
     std::span<const l3d_patch_instance> instances() const { return instances_; }
 
-    /// The parts of all instances: their things are the pieces of each instance's model, one
-    /// instance after another.
+    /// The parts of all instances. The things in these parts are the pieces of each instance's
+    /// model, one instance after another.
     l3d_parts parts() const;
 
-    /// The middle of the boxes of all pieces, whatever levels are chosen; the origin if there is
-    /// nothing.
+    /// The middle of the boxes of all pieces, whatever levels are chosen; the origin if the scene
+    /// is empty.
     vector pieces_middle() const;
 
     /// The number of patches of all instances together.
     std::int64_t patch_count() const { return patch_count_; }
 
-    /// The least x, y and z of everything; the origin if there is nothing.
+    /// The least x, y and z of the boxes of all instances; the origin if the scene is empty.
     const vector& least() const { return extent().least; }
-    /// The largest x, y and z of everything; the origin if there is nothing.
+    /// The largest x, y and z of the boxes of all instances; the origin if the scene is empty.
     const vector& most() const { return extent().most; }
 
     /// The largest l3d_patch_instance::reach() of the instances. Rounding errors are in proportion
-    /// to it, however small the coordinates become.
+    /// to this bound, even where terms cancel and coordinates are small.
     double reach() const { return extent().reach; }
 
     /// The instances' boxes, in their order.
@@ -393,8 +400,8 @@ private:
     mutable whole extent_; ///< extent of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;
     mutable std::vector<l3d_material> materials_;
-    mutable std::vector<std::uint32_t> first_materials_; ///< for each instance, the first index in
-                                                         ///< materials_
+    /// For each instance, the index in materials_ of the first of its model's materials.
+    mutable std::vector<std::uint32_t> first_materials_;
     mutable bool knows_materials_ = true;
     bool is_rebuilt_ = true;
     std::vector<std::size_t> moved_;
@@ -404,14 +411,14 @@ private:
 
 /// The nearest point of a scene's patches on the ray through a place of the picture.
 ///
-/// Each error is the largest distance from the exact value, rounding included. It is infinite where
-/// nothing is known, such as that of the curvature where the surface has no normal.
+/// Each error is the largest distance from the exact value, rounding included. An error is infinite
+/// where nothing is known, as for the curvature where the surface has no normal.
 struct L3D_PUBLIC l3d_pick {
     /// The instance's index in the scene.
     std::size_t instance = 0;
     /// The patch's index in the instance's model.
     std::size_t patch = 0;
-    /// The name of the part that the patch belongs to; empty if there is none.
+    /// The name of the part that the patch belongs to; empty if it belongs to none.
     std::string part{};
     /// The first parameter, from 0 to 1.
     double u = 0;
@@ -426,41 +433,42 @@ struct L3D_PUBLIC l3d_pick {
     l3d_camera::vector point{0.0, 0.0, 0.0};
     /// The point's error, in world units.
     double point_error = 0;
-    /// The distance along the view axis, as exact as the point.
+    /// The point's distance from the eye along the view axis, as exact as the point.
     double depth = 0;
 
     /// The unit normal in the world, on the side that is turned to the eye; zero if there is none.
     l3d_camera::vector normal{0.0, 0.0, 0.0};
-    /// The length of the normal's difference from the exact one; radians if it is small.
+    /// The length of the difference between the normal and the exact normal; if small, the angle in
+    /// radians.
     double normal_error = 0;
 
     /// Gaussian curvature, in 1 / world units squared.
     double gaussian = 0;
     /// The error of gaussian, in its unit.
     double gaussian_error = 0;
-    /// Mean curvature, in 1 / world units: positive where the surface bends towards the normal, as
-    /// a bowl that is seen from above.
+    /// Mean curvature, in 1 / world units. It is positive where the surface bends towards the
+    /// normal, as in a bowl that is seen from above.
     double mean = 0;
     /// The error of mean, in its unit.
     double mean_error = 0;
 
     /// True if it is proven that the ray meets the surface here. Otherwise rounding decides whether
-    /// it does, since the ray passes near an outline or a place without a normal. The errors say
-    /// how near.
+    /// the ray meets it, since the ray passes near an outline or a place without a normal. The
+    /// errors say how near.
     bool is_proven = false;
 
     /// All values, a line each: name, value and error. Patches count from 0.
     std::string text() const;
 
-    /// Patch, parameters and point in one line, with no more digits than a picture has room for.
+    /// One short line for display in a picture, with the patch, the parameters and the point.
     std::string line() const;
 };
 
-/// The view in which a scene is picked.
+/// The view through which l3d_pick_at looks at a scene.
 struct L3D_PUBLIC l3d_pick_view {
-    l3d_camera camera;      ///< its near and far planes limit the depth of hits
+    l3d_camera camera;      ///< the camera; its near and far planes limit the depth of hits
     l3d_size size;          ///< size of the picture, in pixels
-    bool one_sided = false; ///< backs are not seen; see l3d_afd_settings
+    bool one_sided = false; ///< whether backs of surfaces are not seen (l3d_afd_settings)
     /// Surfaces behind this plane of the world are not seen.
     std::optional<l3d_plane<double>> section{};
 };
@@ -471,7 +479,7 @@ struct L3D_PUBLIC l3d_pick_view {
 /// Units:   pixels from the picture's left upper corner; a pixel's middle is at 1/2. Any place may
 ///          be asked for, also one outside the picture.
 /// Expects: a valid camera; finite x and y.
-/// Cost:    a look at each patch, some 100 ns, and 20 us to 200 us for those that the ray is near.
+/// Cost:    some 100 ns for each patch, and 20 us to 200 us for each patch that the ray is near.
 /// Source:  subdivision, nearest part first, until Krawczyk's operator proves a part to hold one
 ///          point of the ray; docs/NUMERICS.md tells the errors.
 L3D_PUBLIC std::optional<l3d_pick> l3d_pick_at(const l3d_patch_scene& scene,

@@ -24,14 +24,16 @@ using l3d_detail::formatted;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// Roundings of a coordinate that is a sum of a few products, as a part of the sum of all terms'
-/// magnitudes. The axes are good to 24 of them, products and sums add 8, placing the model 8.
-/// Halving adds 6, as halves become smaller, and evaluating 12. Twice that is enough.
+/// The rounding of a point's coordinate in eye_ray::seen, as a part of the sum of the magnitudes of
+/// all terms. The axes are good to 24 roundings, products and sums add 8, and placing the model
+/// adds 8. Halving adds 6, as halves become smaller, and evaluating 12. Twice their sum is more
+/// than enough.
 constexpr double ray_rounding = 128 * 0x1p-53;
-/// Roundings of a coordinate in the world, as a part of the same sum.
+/// The rounding of a coordinate in the world, as a part of the same sum of magnitudes.
 constexpr double world_rounding = 16 * 0x1p-53;
 
-/// The ray through a place of a picture, with coordinates that are 0 along the ray, and depth.
+/// The ray through a place of a picture. It maps points to two coordinates that are 0 on the ray,
+/// and to depth.
 class eye_ray {
 public:
     eye_ray(const l3d_pick_view& view, double x, double y)
@@ -57,13 +59,13 @@ public:
                 depth};
     }
 
-    /// Bound of the rounding of seen() for a point whose terms sum up to `reach`.
+    /// Bound of the rounding of seen() for a point with the l3d_patch_instance::reach() `reach`.
     double rounding(double reach) const {
         const double eye = std::max({std::abs(eye_[0]), std::abs(eye_[1]), std::abs(eye_[2])});
         return ray_rounding * 3 * (reach + eye) * slant();
     }
 
-    /// The length of a step, from its parts across the ray and along the depth.
+    /// A bound of the length of a step, from its parts across the ray and along the depth.
     double length(double across, double depth) const { return across + depth * slant(); }
 
     vector direction() const { return axes_.forward + axes_.right * right_ + axes_.up * up_; }
@@ -71,7 +73,7 @@ public:
 private:
     double slant() const { return 1 + std::abs(right_) + std::abs(up_); }
 
-    vector eye_; ///< in a parallel projection, each ray has its own
+    vector eye_; ///< where the ray begins; in a parallel projection, not the camera's eye
     l3d_camera::frame axes_;
     double right_ = 0, up_ = 0;
 };
@@ -117,7 +119,8 @@ std::string part_of(const l3d_patch_model& model, std::size_t patch) {
     return std::string(model.parts().name_of(model.piece_of(patch)));
 }
 
-/// The depths of a ray between which surfaces are drawn; nothing if a section takes all of it.
+/// The depths of a ray between which surfaces are drawn; nothing if the section cuts off the whole
+/// ray.
 std::optional<std::pair<double, double>> depths_drawn(const l3d_pick_view& view,
                                                       const eye_ray& ray) {
     const bool is_parallel = view.camera.is_parallel(); // near and far cut nothing then

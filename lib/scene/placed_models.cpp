@@ -18,13 +18,13 @@
 
 namespace {
 
-/// The models of a file's shapes, each made when it is first asked for.
+/// The models of a file's shapes. Each model is made when it is first asked for.
 class shape_models {
 public:
     shape_models(const l3d_model_file& file, std::string_view name)
         : file_(file), name_(name), plain_(file.shapes.size()) {}
 
-    /// The model of a shape in the material of its place.
+    /// The model of the shape that a placement places, in the material that the placement gives it.
     /// Errors: null, and the reason in `why`.
     const l3d_patch_model* of(const l3d_model_placement& at, std::string& why) {
         const auto known = dressed_.find({at.shape, at.material});

@@ -15,7 +15,8 @@ namespace HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Adds the products in the order of l3d_matrix's own product.
+/// A row of a matrix times (x, y, z, 1). The products are added in the order of l3d_matrix's own
+/// product.
 template <class D, class V>
 V row_times_point(D d, const l3d_matrix<double>& m, int row, V x, V y, V z) {
     const auto at = [&](int column) HWY_ATTR { return hn::Set(d, m(row, column)); };

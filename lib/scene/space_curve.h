@@ -12,7 +12,8 @@
 #include <cstdint>
 #include <vector>
 
-/// A NURBS curve with the look of its line and a placement. l3d_pipeline_afd::curves() draws them.
+/// A NURBS curve in space, to be drawn as a line of some colour and width at some place.
+/// l3d_pipeline_afd::curves() draws such curves.
 ///
 /// For straight lines from point to point, give it an l3d_nurbs_curve::polyline. A Bezier curve of
 /// n + 1 points has the knots l3d_bspline_direction::clamped(n, n + 1).

@@ -12,8 +12,8 @@ namespace {
 
 using l3d_detail::infinite;
 
-/// The most pieces of a cell that are joined to sheets. If there are more, each piece is a sheet
-/// that may end in the cell.
+/// The largest number of pieces in a cell that are joined to sheets. If there are more pieces, each
+/// piece is a sheet that may end in the cell.
 constexpr std::size_t most_pieces = 256;
 
 using l3d_detail::interval;
@@ -75,8 +75,8 @@ private:
 };
 
 /// Whether some place of a piece is proven to lie in a cell. Newton's method looks for the place
-/// nearest to the cell's middle. It begins with the piece's linear picture, and evaluates each step
-/// exactly.
+/// nearest to the cell's middle. The search begins with the piece's linear picture, and evaluates
+/// the exact piece at each step.
 bool is_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell, const l3d_dice_view& view) {
     constexpr int steps = 3;
     const l3d_doubt_bounds& b = leaf.bounds;
@@ -163,9 +163,9 @@ void l3d_cell_bounds::connect() {
             sheets_[root_of(i)].may_end = true;
 }
 
-/// Finds which sheets are in the cell. A sheet that does not end there fills the cell if one of its
-/// places is in it. It is absent if it misses the cell's middle. Pieces that trims remove wholly
-/// are not seen; they only end the sheets to which they are joined.
+/// Finds which sheets are in the cell. A sheet that does not end in the cell fills the cell if one
+/// of the sheet's places is in it. The sheet is absent if it misses the cell's middle. Pieces that
+/// trims remove wholly are not seen; they only end the sheets to which they are joined.
 void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& view,
                                double margin) {
     const double x = (cell.left + cell.right) / 2, y = (cell.top + cell.bottom) / 2;
@@ -189,8 +189,9 @@ bool l3d_cell_bounds::may_be_seen(std::size_t i, double farthest) const {
            members_[i].nearest <= farthest;
 }
 
-/// Finds the w beyond which everything is hidden, and marks the sheets that are seen before it. It
-/// is infinite where the background may be seen. Notes whether smaller cells would tell more.
+/// Finds the w beyond which everything in the cell is hidden, and marks the sheets that may be
+/// seen. The w is infinite if the background may be seen. Notes whether smaller
+/// cells would tell more.
 double l3d_cell_bounds::farthest_seen() {
     double result = infinite;
     for (std::size_t i = 0; i < pieces_.size(); ++i)

@@ -13,10 +13,11 @@
 #include <span>
 #include <vector>
 
-/// Bounds the light of the exact picture in cells, from the pieces that reach into them.
+/// Bounds the light of the exact picture in cells, from the pieces that reach into them. A cell is
+/// a square of the picture, a pixel or smaller. A piece is a small part of a patch.
 ///
-/// Pieces that meet make a sheet. Suppose that no piece of a sheet ends, folds or breaks in the
-/// cell. Then the sheet either fills the cell or lies outside it (NUMERICS, The map of doubt).
+/// Pieces that meet make a sheet. If no piece of a sheet ends, folds or breaks in a cell, the sheet
+/// fills the cell or lies outside it (NUMERICS, The map of doubt).
 /// Lives: kept for its memory.
 /// Cost:  grows with the square of the number of pieces.
 class l3d_cell_bounds {
@@ -27,45 +28,45 @@ public:
                             std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
                             const l3d_light_bounds& background);
 
-    /// Whether a cell, grown by the bound of places, certainly shows a single surface. That must
-    /// hold even if each surface is drawn nearer or farther by its bound.
+    /// Whether a cell, grown by the bound of places, certainly shows a single surface. It must do
+    /// so even if each surface is drawn nearer or farther by its bound of depth.
     /// Shape: `touching` as in judge().
     bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
                         std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
 
     /// Bounds the exact picture in a part of the cell that was judged last.
-    /// Expects: a single surface, or the background, was found to fill that cell.
+    /// Expects: judge() found that a single surface, or the background, fills that cell.
     l3d_doubt_verdict judge_alone(const l3d_image_box& part,
                                   const l3d_light_bounds& background) const;
 
-    /// Sets the flags of the pieces that may be seen in the cell that was judged last. Other sheets
-    /// are wholly hidden there. Smaller cells need no bounds of them, since nearer surfaces hide
-    /// them there, too.
+    /// Sets the flags in `pieces` of all pieces that may be seen in the cell that was judged last.
+    /// All other pieces are wholly hidden in the cell. Parts of the cell can be bounded without the
+    /// hidden pieces.
     void mark_seen(std::vector<bool>& pieces) const;
 
-    /// Whether smaller cells than the one that was judged last hardly tell more: at each of its
-    /// corners, a piece may be seen of whose normals nothing is known.
+    /// Whether parts of the cell that was judged last would hardly be bounded better: at each of the
+    /// cell's corners, a piece without any bound of its normals may be seen.
     bool is_hopeless() const { return is_hopeless_; }
 
-    /// The facts about a piece that decide which others it meets.
+    /// The facts about a piece that decide which other pieces it meets.
     struct member {
         l3d_image_box part; ///< the part of the piece's box that lies in the cell
         double u0, u1, v0, v1;
         const l3d_doubt_patch* of;
-        unsigned sides; ///< bits of the sides that it reaches
+        unsigned sides; ///< a bit for each side of its patch that the piece reaches
         int facing;
-        std::uint32_t index;   ///< index among all pieces
-        unsigned dark_corners; ///< bits of the cell's corners at which it may show any light
-        double nearest = 0;    ///< least w in the cell
+        std::uint32_t index;   ///< the piece's index in `leaves`
+        unsigned dark_corners; ///< bits of the cell's corners at which the piece may show any light
+        double nearest = 0;    ///< least w of the piece in the cell
     };
 
 private:
-    /// A sheet: pieces that are connected in the cell, and perhaps further ones.
+    /// The facts about a sheet: pieces that are connected in the cell, and perhaps further pieces.
     struct sheet {
-        bool may_end = false; ///< whether it may end or fold in the cell
+        bool may_end = false; ///< whether the sheet may end or fold in the cell
         bool is_there = false, may_be_there = false;
-        bool is_seen = false; ///< whether it may be seen
-        double farthest = 0;  ///< largest w in the cell
+        bool is_seen = false; ///< whether the sheet may be seen in the cell
+        double farthest = 0;  ///< largest w of the sheet in the cell
         bool fills() const { return is_there && !may_end; }
     };
 
@@ -74,7 +75,7 @@ private:
     void connect();
     void look_for(const l3d_image_box& cell, const l3d_dice_view& view, double margin);
     double farthest_seen();
-    /// Whether a piece may be seen, if everything beyond w = `farthest` is hidden.
+    /// Whether piece i may be seen, if everything beyond w = `farthest` is hidden.
     bool may_be_seen(std::size_t i, double farthest) const;
     /// The index of the member that stands for the sheet of member i.
     std::size_t root_of(std::size_t i) const { return joined_.find(i).line; }
@@ -84,7 +85,7 @@ private:
     std::vector<const l3d_doubt_leaf*> pieces_;
     std::vector<member> members_;      ///< members for pieces_, in order
     l3d_detail::directed_sets joined_; ///< which members form a sheet; directions do not count
-    std::vector<sheet> sheets_;        ///< valid for roots
+    std::vector<sheet> sheets_;        ///< for each member; valid for the roots of sheets
     std::size_t only_ = nowhere;       ///< the root of the sheet that is seen alone
     bool is_hopeless_ = false;
 };

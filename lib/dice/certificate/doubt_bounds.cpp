@@ -22,14 +22,15 @@ place projected(const l3d_image_point& p) {
     return {p[0] / p[2], p[1] / p[2]};
 }
 
-/// A linear function of the parameters that is near to a piece's picture, and its error.
+/// The linear functions of a piece's parameters that are near to x and y in the picture, and a
+/// bound of their error.
 struct linear_picture {
     plane x, y;
     double off = 0; ///< largest distance of the piece's picture from these planes, in pixels
 
-    /// Bounds the distance of the picture from a linear one with value X: it is sum B_i (x_i - X
-    /// w_i) over w. With d_i = x_i - X_i w_i, and as sum B_i X_i = X, the sum equals sum B_i d_i +
-    /// sum B_i (X_i - X) (w_i - w_mean).
+    /// Bounds the distance of the picture from the linear function with value X. The distance is
+    /// the sum B_i (x_i - X w_i) over w. With d_i = x_i - X_i w_i, and as sum B_i X_i = X, the sum
+    /// equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean).
     linear_picture(const l3d_image_patch& net, double least_w, double most_w)
         : linear_picture(projected(net.at(0, 0)), projected(net.at(0, 3)), projected(net.at(3, 0)),
                          projected(net.at(3, 3))) {
@@ -50,15 +51,15 @@ private:
         : x(a.x, b.x, c.x, d.x), y(a.y, b.y, c.y, d.y) {}
 };
 
-/// Bounds of f = n.(S - E), and of the normals' length. Where f is 0, the surface folds over in the
-/// picture.
+/// Bounds of f = n.(S - E) over a piece, and of the normals' length, for normals n at points S and
+/// the eye E. Where f is 0, the surface folds over in the picture.
 struct facing_range {
     double least = -infinite, most = infinite, longest = 0;
     double smallest() const { return std::max(least, -most); }
 };
 
-/// Bounds f = n.(S - E). With the middle C of the points, f is n.(C - E) + n.(S - C). Along the
-/// normals' axis, S - C is nearly nothing.
+/// Bounds f = n.(S - E) over a piece. With the middle C of the piece's points, f is n.(C - E) +
+/// n.(S - C). Along the normals' axis, S - C is nearly nothing.
 facing_range facing_of(const l3d_doubt_piece& p, const seen_normals& normals,
                        const l3d_doubt_view& view) {
     const auto& [of_x, of_y, of_w] = view.world_of_image;
@@ -93,8 +94,8 @@ facing_range facing_of(const l3d_doubt_piece& p, const seen_normals& normals,
     return result;
 }
 
-/// The parameters that a box covers in the linear picture of a piece: their middle, and how far
-/// they reach from it.
+/// The range of parameters that a box covers in the linear picture of a piece: its middle, and how
+/// far it reaches from the middle.
 struct parameter_box {
     double u, v, reach_u, reach_v;
 
@@ -112,9 +113,9 @@ struct parameter_box {
 
 /// Bounds the relative difference of w between the drawn and the exact surface.
 ///
-/// A drawn point lies on a plane d pixels off along the piece's normal, and its place is b pixels
-/// off. On that plane 1 / w is n.ray(X) / (n.Q + d). So w differs by the part (b + d) |n| |ray'| w
-/// / (n.Q). Steps are chosen so that this part is never more than an eighth.
+/// A drawn point lies on a plane that is off by d pixels along the piece's normal, and its place is
+/// off by b pixels. On that plane 1 / w is n.ray(X) / (n.Q + d). So w differs by the part (b + d)
+/// |n| |ray'| w / (n.Q). Dicing chooses steps so that this part is never more than an eighth.
 double w_margin_of(const l3d_doubt_view& view, const facing_range& facing, double most_w) {
     constexpr double most = 0.25;
     const double a_pixel =
@@ -162,9 +163,9 @@ void put_w(l3d_doubt_bounds& b, const l3d_image_patch& net, double error_w) {
 
 } // namespace
 
-/// Tells whether the piece may reach a box. Its parameters differ from those of the linear picture
-/// by at most u_off and v_off. It misses a box that lies farther than that beyond one of its four
-/// sides.
+/// Tells whether the piece may reach a box. The piece's parameters at a place differ from those of
+/// the linear picture by at most u_off and v_off. The piece misses a box that lies farther than
+/// this difference beyond one of the piece's four sides.
 bool l3d_doubt_bounds::touches(const l3d_image_box& other) const {
     if (box.intersected(other).empty())
         return false;

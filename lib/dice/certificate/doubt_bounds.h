@@ -25,10 +25,10 @@ inline constexpr double infinite = std::numeric_limits<double>::infinity();
 
 } // namespace l3d_detail
 
-/// A far lamp that lights the exact picture.
+/// A lamp so far away that its light has one direction. It lights the exact picture.
 struct l3d_doubt_lamp {
     l3d_vector<double, 3> direction{0.0, 0.0, 1.0}; ///< unit vector towards the lamp, in the world
-    l3d_light_color color{1, 1, 1};                 ///< parts of white
+    l3d_light_color color{1, 1, 1}; ///< colour of the lamp's light, as parts of white
 };
 
 /// The lights and the fog of the exact picture, by the rules of l3d_lighting and l3d_fog.
@@ -36,41 +36,46 @@ struct l3d_doubt_lighting {
     l3d_light_color ambient{};
     std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
     l3d_fog fog;
-    double depth_scale =
-        1; ///< w for each unit of distance along the view axis, from the eye that w counts from
-    double nearer = 0; ///< how much nearer the camera's own eye is than that eye
+    /// How much w grows for each unit of distance along the view axis.
+    double depth_scale = 1;
+    double nearer = 0; ///< how much nearer the camera's eye is than the eye from which w counts
 };
 
-/// A patch that stands in the picture, with the facts that all its pieces share.
+/// A patch in the picture, with the facts that bounds of all its pieces need.
 struct l3d_doubt_patch {
     std::uint32_t instance = 0, patch = 0;
-    double error_xy = 0, error_w = 0; ///< errors of its homogeneous points
-    double near = 0;                  ///< nothing nearer is drawn
-    double normal_off = 0;            ///< error of its normals, which are as long as the model's
-    double turned = 0;                ///< distance of its unit normals from the surface's
-    const l3d_side_pairs* sides = nullptr; ///< neighbours in its model
-    /// Whether its back need not be drawn, and which sign of `facing` means its back.
+    double error_xy = 0, error_w = 0; ///< errors of the patch's homogeneous points
+    double near = 0;                  ///< the w of the patch's near plane
+    double normal_off = 0;            ///< error of the patch's normals, which are not unit vectors
+    /// Largest difference of its unit normals from those of the surface that it approximates.
+    double turned = 0;
+    const l3d_side_pairs* sides = nullptr; ///< the patch's neighbours in its model
+    /// Whether the patch's back is not drawn. The sign `back` of l3d_doubt_bounds::facing means its
+    /// back.
     bool one_sided = false;
     double back = 1;
-    l3d_color_parts color{1, 1, 1}; ///< colour of its material
-    l3d_color_parts highlight{};    ///< highlight of its material
+    l3d_color_parts color{1, 1, 1}; ///< colour of the patch's material
+    l3d_color_parts highlight{};    ///< highlight of the patch's material
     int sharpness = 1;
     /// The frame's lights and fog; null for one white light without highlights and fog.
     const l3d_doubt_lighting* lighting = nullptr;
 
-    /// Whether it looks like another patch in the same light.
+    /// Whether the patch looks like another patch in the same light.
     bool looks_like(const l3d_doubt_patch& other) const {
         return color == other.color && highlight == other.highlight && sharpness == other.sharpness;
     }
 };
 
-/// A part of an exact patch, made by halving. Its normals are in the world.
+/// A part of an exact patch, made by halving, whose place and light are bounded. Its normals are in
+/// the world.
 struct l3d_doubt_piece : l3d_exact_part {
     const l3d_doubt_patch* of = nullptr;
-    /// How much of the piece the trims of its face leave. In a `part`, a border runs through it.
+    /// How much of the piece the trims of its face leave. A border of the trims runs through the
+    /// piece if they leave a `part`.
     enum class left : unsigned char { all, part, none } there = left::all;
-    l3d_trim_region trims; ///< the region that is left, in the patch's parameters, if `there` is
-                           ///< part; else empty
+    /// The region that trims leave of the piece, in the patch's parameters, if they leave a part;
+    /// else empty.
+    l3d_trim_region trims;
 
     /// Sets the region that trims leave of the piece. Expects: the region lies in the piece.
     void take(l3d_trim_region region) {
@@ -87,23 +92,25 @@ struct l3d_doubt_piece : l3d_exact_part {
     }
 };
 
-/// Grey levels of the exact picture: that of ambient light, and the most that the cosine adds.
+/// Shade levels of the exact picture, of 255: the level of ambient light, and the most that the
+/// cosine adds.
 inline constexpr double l3d_ambient_level = 25.5, l3d_cosine_level = 229.5;
 
 /// The view, the light and the background that all pieces of a frame share.
 struct l3d_doubt_view {
     l3d_dice_view view;
-    /// Maps (x, y, w) to vectors of the world, as seen from the eye. Shape: the columns of the
-    /// matrix.
+    /// Maps (x, y, w) of a point to the vector in the world from the eye to the point. Shape: the
+    /// columns of the matrix.
     std::array<l3d_vector<double, 3>, 3> world_of_image{};
-    l3d_vector<double, 3> light{0.0, 0.0, 1.0}; ///< unit, in the world
+    /// Unit vector towards the white light, in the world.
+    l3d_vector<double, 3> light{0.0, 0.0, 1.0};
     /// The lamps and the fog, for a frame that has more than the one white `light`.
     l3d_doubt_lighting lighting{};
-    /// Bounds of the drawn frame: of places in the picture, and of depth along the normal.
+    /// Error bounds of the drawn frame: of places in the picture, and of depth along the normal.
     double bound_px = 0, depth_bound_px = 0;
-    l3d_background background{}; ///< not none
+    l3d_background background{}; ///< behind all surfaces; not none
 
-    /// The light of the background in a row of pixels.
+    /// The light of the background in a row of pixels, exactly.
     l3d_light_bounds background_light(int row) const {
         const std::uint32_t word = background.word(row, view.size.height);
         const std::array<double, 3> channels{l3d_light_of_level(word >> 16 & 255),
@@ -113,48 +120,52 @@ struct l3d_doubt_view {
     }
 };
 
-/// Bounds of a number that changes over a piece. The number lies between `least` and `most`. It is
-/// also within `off` of at(x, y), a linear function of the place in the picture.
+/// Bounds of a number that changes over a piece. The number lies between `least` and `most`. At the
+/// place (x, y) it is also within `off` of at(x, y), a linear function. Places are relative to the
+/// piece's own place (l3d_doubt_bounds::at_x, at_y).
 struct l3d_doubt_line {
     double least = 0, most = 0;
-    double middle = 0, along_x = 0, along_y = 0,
-           off = 0; ///< places count from the piece's own place
+    /// The value at(0, 0), the slopes of at() along x and y, and the largest error of at().
+    double middle = 0, along_x = 0, along_y = 0, off = 0;
 
     double at(double x, double y) const { return middle + along_x * x + along_y * y; }
 };
 
 /// Bounds of two cosines of a piece's normals, for one lamp. `lit` is the cosine with the direction
-/// to the lamp; `facing` that with the half-way vector between lamp and eye. Normals are turned to
-/// the eye.
+/// to the lamp. `facing` is the cosine with the half-way vector between lamp and eye. Normals are
+/// turned to the eye.
 struct l3d_doubt_cosines {
     l3d_doubt_line lit, facing;
 };
 
 /// Bounds of a piece's place, depth and light in the exact picture.
 struct l3d_doubt_bounds {
-    l3d_image_box box;         ///< holds the whole piece
-    double at_x = 0, at_y = 0; ///< the piece's own place, from which lines count
-    unsigned open_sides = 0;   ///< bits of the sides where the surface ends
-    bool may_end = false;      ///< the near or the far plane may cut it, or trims cut it
-    int facing = 0; ///< the sign of the normal along the line of sight; 0 if it may have both signs
-    bool may_be_missing = false; ///< whether its back may be seen, and is not drawn
+    l3d_image_box box;         ///< a box in the picture that holds the whole piece
+    double at_x = 0, at_y = 0; ///< the piece's own place: places in lines are relative to it
+    unsigned open_sides = 0;   ///< a bit for each side of the piece where the surface ends
+    bool may_end = false;      ///< whether the near or far plane may cut the piece, or trims do
+    /// The sign of the normal along the line of sight; 0 if both signs may occur.
+    int facing = 0;
+    /// Whether the piece's back may be turned to the eye, and is not drawn.
+    bool may_be_missing = false;
 
     l3d_doubt_line w;
     /// The largest relative difference of w between the drawn and the exact piece.
     double w_margin = 0;
-    l3d_doubt_line level; ///< level above ambient light; a negative one means ambient light alone
+    /// The shade level above that of ambient light. A negative number means ambient light alone.
+    l3d_doubt_line level;
 
-    /// The cosines for each lamp, if the patch has lighting. It is empty if nothing is known. With
-    /// lamps, `level.off` only tells how well the level is known.
+    /// The cosines for each lamp, if the patch has lighting. The list is empty if nothing is known.
+    /// With lamps, `level.off` only tells how well the light is known.
     std::vector<l3d_doubt_cosines> lamps;
 
-    /// The linear map from a place to the piece's parameters, which run from -1/2 to 1/2. Shape:
-    /// du/dx, du/dy, dv/dx, dv/dy.
+    /// The linear map from a place in the picture to the piece's parameters, which run from -1/2 to
+    /// 1/2. Shape: du/dx, du/dy, dv/dx, dv/dy.
     std::array<double, 4> parameters{};
-    double u_off = 0, v_off = 0; ///< largest error of that map; infinite if it is not known
+    double u_off = 0, v_off = 0; ///< largest errors of the map `parameters`; infinite if unknown
     double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
-    double point_off =
-        0; ///< the part of picture_off that smaller pieces have, too: the error of points
+    /// The part of picture_off that comes from the error of points. Smaller pieces have it, too.
+    double point_off = 0;
 
     /// Whether the piece may reach into a box.
     bool touches(const l3d_image_box& other) const;
@@ -165,18 +176,18 @@ struct l3d_doubt_bounds {
     /// Whether the place (x, y) may be on the piece.
     bool may_show(double x, double y) const { return touches({x, y, x, y}); }
 
-    /// The least and the largest value of a line in the part of a box that the piece may reach.
+    /// The least and the largest value of a line over the part of a box that the piece may reach.
     std::array<double, 2> range(const l3d_doubt_line& of, const l3d_image_box& in) const;
 };
 
-/// A piece that is not halved further, and its bounds.
+/// A piece that is not halved any further for the present cells, and its bounds.
 struct l3d_doubt_leaf {
     l3d_doubt_piece piece;
     l3d_doubt_bounds bounds;
-    bool has_no_area = false; ///< it is seen from its edge, so it adds no light to any cell
+    bool has_no_area = false; ///< whether the piece is seen edge-on, so that it adds no light
 
-    /// Whether trims leave nothing of the piece. It is kept because a sheet that meets it ends
-    /// there.
+    /// Whether trims leave nothing of the piece. Such a piece is kept because a sheet that meets it
+    /// ends there.
     bool is_gone() const { return piece.there == l3d_doubt_piece::left::none; }
 };
 

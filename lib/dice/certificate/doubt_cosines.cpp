@@ -10,23 +10,23 @@ namespace {
 using vector = l3d_normal_polynomial::vector;
 constexpr std::size_t order = l3d_normal_polynomial::order;
 
-/// The least cosine of normals with their common axis. If one is smaller, only the bounds -1 and 1
-/// are known.
+/// The least cosine of normals with their common axis for which bounds are computed. If any normal
+/// has a smaller one, only the bounds -1 and 1 are known.
 constexpr double least_cosine = 1.0 / 16;
 
-/// The half-way vector between lamp and eye, for all places of a piece. It is nearly a linear
-/// function of the place.
+/// The half-way vector between lamp and eye, for all places of a piece. The vector is nearly a
+/// linear function of the place.
 struct half_way {
     vector middle{0.0, 0.0, 0.0}, along_x{0.0, 0.0, 0.0}, along_y{0.0, 0.0, 0.0};
-    double reach = 2; ///< its largest distance from `middle`
+    double reach = 2; ///< the vector's largest distance from `middle`
     double off = infinite;
 
-    /// Finds the linear function and its error.
+    /// Finds the linear function that is near to the half-way vector, and its error.
     ///
-    /// If v changes by d, the unit vector v / |v| changes by at most p = |d| / |v|, with the least
-    /// |v|. It is within 0.58 p^2 of linear (NUMERICS, The map of doubt). The vector e from the eye
-    /// is linear in the place. So this error counts twice: for e / |e|, and for the half-way
-    /// vector.
+    /// If a vector v changes by d, the unit vector v / |v| changes by at most p = |d| / |v|, with
+    /// the least |v|. The unit vector is within 0.58 p^2 of a linear function (NUMERICS, The map of
+    /// doubt). The vector e from the eye is linear in the place. So this error counts twice: for e
+    /// / |e|, and for the half-way vector.
     half_way(const l3d_doubt_bounds& b, const l3d_doubt_view& view, const vector& light) {
         constexpr double bent = 0.58;
         const auto& [of_x, of_y, of_w] = view.world_of_image;
@@ -70,7 +70,7 @@ std::array<double, 2> gains(const l3d_doubt_patch& of, const l3d_doubt_lamp& lam
             255 * mirrored * k * std::pow(std::max(most_facing, 0.0), k - 1)};
 }
 
-/// The error of a line, or half of its range if that is less.
+/// The error of a line, or half of the line's range if half is less.
 double off_of(const l3d_doubt_line& line) {
     return std::min(line.off, (line.most - line.least) / 2);
 }
@@ -101,9 +101,10 @@ seen_normals::seen_normals(const std::array<vector, count>& normals) {
     most_slope = std::sqrt(slope);
 }
 
-/// Bounds n.l / |n|. With n = q (a + r), where a is the normals' axis and r is across it, the
-/// cosine is (a.l + r.l) / sqrt(1 + r.r). Here r.l is a quotient of polynomials, which is bounded
-/// like a piece's picture. Normals are known to within `normal_off`.
+/// Bounds n.l / |n| for normals n and a direction l. With n = q (a + r), where a is the normals'
+/// axis and r is across it, the cosine is (a.l + r.l) / sqrt(1 + r.r). Here r.l is a quotient of
+/// polynomials, which is bounded like a piece's picture. Normals are known to within
+/// l3d_doubt_patch::normal_off.
 cosines::cosines(const l3d_doubt_piece& piece, const seen_normals& seen, const vector& light) {
     if (!(seen.most_slope < infinite))
         return;
@@ -168,7 +169,8 @@ void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& 
     into.most = most;
 }
 
-/// Sets the lamps' cosines. Where the piece may show both sides, either sign is possible.
+/// Where the piece may show both sides, normals may be turned either way, so cosines of either sign
+/// are possible.
 void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,
                const l3d_doubt_view& view) {
     const l3d_doubt_lighting& lighting = *piece.of->lighting;

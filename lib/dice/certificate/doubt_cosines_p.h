@@ -16,8 +16,8 @@ namespace l3d_detail {
 /// 2^-53, so there is much to spare.
 inline constexpr double rounding = 0x1p-40;
 
-/// A linear function of a piece's parameters, which run from -1/2 to 1/2. Made of values at the
-/// four corners, it is as near to them as possible.
+/// A linear function of a piece's parameters, which run from -1/2 to 1/2. The constructor takes
+/// values at the four corners; the function is as near to these values as possible.
 struct plane {
     double middle = 0, in_u = 0, in_v = 0;
 
@@ -35,41 +35,46 @@ struct plane {
     double range() const { return std::abs(in_u) + std::abs(in_v); }
 };
 
-/// The coefficients of a piece's normals, split into parts along their common axis and across it.
+/// The coefficients of a piece's normals, split into parts along an axis common to all and parts
+/// across it. Cosines of the normals are bounded by these parts.
 struct seen_normals {
     using vector = l3d_normal_polynomial::vector;
     static constexpr std::size_t count =
         l3d_normal_polynomial::order * l3d_normal_polynomial::order;
 
     vector axis{0.0, 0.0, 0.0};
-    std::array<double, count> along; ///< the part along the axis of each one
+    std::array<double, count> along; ///< each coefficient's part along the axis
     double most_along = 0;           ///< largest |along|
     double most_across = 0, longest = 0;
-    double most_slope = 0; ///< largest across / along; infinite if any is far from the axis
+    /// The largest ratio of a part across to the part along; infinite if any coefficient is far
+    /// from the axis.
+    double most_slope = 0;
 
     explicit seen_normals(const std::array<vector, count>& normals);
 };
 
-/// Bounds of the cosine n.l of unit normals n over a piece. It lies between `least` and `most`, and
-/// within `off` of `line`.
+/// Bounds of the cosine n.l over a piece, for its unit normals n and a direction l to a light. The
+/// cosine lies between `least` and `most`, and within `off` of `line`.
 struct cosines {
     plane line{0, 0, 0, 0};
     double off = 1, least = -1, most = 1;
-    double slope = 2; ///< largest distance of a unit normal from the normals' axis
+    double slope = 2; ///< largest distance of a unit normal from seen_normals::axis
 
     cosines(const l3d_doubt_piece& piece, const seen_normals& seen,
             const l3d_normal_polynomial::vector& light);
 };
 
-/// Turns a linear function of the parameters, with its error, into one of the place in the picture.
+/// Turns a linear function of a piece's parameters into a linear function of the place in the
+/// picture. `off` is the error of the first; the result has an error of its own.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b);
 
-/// Sets `into` to a line and its range, or to the range alone if the line says no more.
+/// Sets `into` to a line and the range from `least` to `most`, or to the range alone if the line
+/// adds nothing.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line);
 
-/// Sets the bounds of the cosines for all lamps of the piece's lighting. Also sets `level.off`: how
-/// far the light may be off, which tells whether halving the piece is worth while.
-/// Expects: all other bounds are set; w > 0.
+/// Sets b.lamps: the bounds of the cosines for all lamps of the piece's lighting. Also sets
+/// b.level.off to how uncertain the light is, which tells whether halving the piece is worth while.
+/// Expects: all other members of b are set; w > 0.
 void put_lamps(l3d_doubt_bounds& b, const l3d_doubt_piece& piece, const seen_normals& normals,
                const l3d_doubt_view& view);
 

@@ -9,33 +9,34 @@
 namespace l3d_detail {
 namespace {
 
-/// If the level changes by more than even_levels over a cell, the cell is cut into finer_cuts rows
-/// and columns, to average its light.
+/// If the shade level changes by more than even_levels over a cell, the cell is cut into finer_cuts
+/// rows and columns, to average its light.
 constexpr double even_levels = 4;
 constexpr int finer_cuts = 4;
 
-/// The mean light of lamps should be known to within known_levels. Until it is, cells are cut into
-/// more rows and columns, as long as that reduces the spread by a quarter.
+/// The mean light of lamps should be known to within known_levels. Until then, cells are cut into
+/// more rows and columns, as long as each cut reduces the uncertainty by a quarter.
 constexpr double known_levels = 0.5, worth_while = 0.75;
 constexpr int most_cuts = 16;
 
-/// Bounds a piece's levels above ambient light in a cell.
+/// Bounds a piece's shade levels above that of ambient light, in a cell.
 interval levels_in(const l3d_doubt_bounds& b, const l3d_image_box& cell) {
     const auto [least, most] = b.range(b.level, cell);
     return {std::max(0.0, least), std::max(0.0, most)};
 }
 
-/// The level of a piece's line at a place in the picture.
+/// The level above ambient light, by a piece's line, at a place in the picture.
 double level_at(const l3d_doubt_bounds& b, double x, double y) {
     return b.level.at(x - b.at_x, y - b.at_y);
 }
 
-/// The light of a level above ambient light, in a channel that has this part of white.
+/// The light of a shade level, given as the level above ambient light, in a channel whose colour is
+/// this part of white.
 double light_above_ambient(double level, double part) {
     return l3d_light_of_level(part * (l3d_ambient_level + std::max(0.0, level)));
 }
 
-/// Bounds a material's light for levels between two bounds.
+/// Bounds a material's light for shade levels between two bounds.
 l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) {
     return l3d_light_bounds::by_parts(color, [&](double part) {
         return std::array{light_above_ambient(levels.low, part),
@@ -45,7 +46,7 @@ l3d_light_bounds light_of(const interval& levels, const l3d_color_parts& color) 
 
 /// Bounds the mean light of a cell whose level is between line - below and line + above. Light is a
 /// convex function of the level, and so of the place. So the mean over a square is at least the
-/// light in its middle, and at most the mean of its corners' light.
+/// light in its middle, and at most the mean of the light at its corners.
 interval mean_light(const l3d_doubt_bounds& line, double below, double above,
                     const l3d_image_box& cell, double part) {
     const double change =
@@ -67,12 +68,13 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
     return {sum.low / (cuts * cuts), sum.high / (cuts * cuts)};
 }
 
-/// Bounds of a lamp's light, as a white surface scatters it and as a perfect mirror reflects it.
+/// Bounds of a lamp's light in a cell: as a white surface scatters it, and as a perfect mirror
+/// reflects it.
 struct lamp_amounts {
     interval scattered{0, 0}, mirrored{0, 0};
 
-    /// Bounds both from the cosines. A lamp behind the surface adds nothing, so its mirrored light
-    /// ends abruptly where n.l is 0.
+    /// Bounds both lights from the ranges of their cosines. A lamp behind the surface adds nothing,
+    /// so its mirrored light ends abruptly where n.l is 0.
     lamp_amounts(const interval& lit, const interval& facing, const l3d_doubt_patch& of) {
         constexpr double of_lamps = 0.9;
         scattered = {of_lamps * std::max(0.0, lit.low), of_lamps * std::max(0.0, lit.high)};
@@ -85,7 +87,8 @@ struct lamp_amounts {
     }
 };
 
-/// Blends a channel's level with the fog's. The extremes lie at the ends of the range of shares.
+/// Bounds a channel's level that is blended with the level of fog. The extremes lie at the ends of
+/// the range of the fog's shares.
 interval faded(const interval& level, double fog, const interval& share) {
     const auto mean = [&](double of, double part) { return of + part * (fog - of); };
     return {std::min(mean(level.low, share.low), mean(level.low, share.high)),
@@ -216,7 +219,8 @@ l3d_doubt_verdict lone_sheet::of_levels() const {
             std::min(levels.high - levels.low, below + above)};
 }
 
-/// Bounds the mean light by lamps: splits the cell into squares and averages their bounds.
+/// Bounds the mean light of lamps in the cell: splits the cell into squares and averages their
+/// bounds.
 l3d_light_bounds lone_sheet::mean_by_lamps(int cuts) const {
     const light_lines lines(best_->bounds);
     const double width = cell_.width() / cuts, height = cell_.height() / cuts;

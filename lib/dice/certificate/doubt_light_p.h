@@ -25,7 +25,7 @@ struct interval {
 };
 
 /// The lines that decide the light of a piece: its level alone, or the cosines for all lamps and w.
-/// Each is nearly linear in the place.
+/// Each is a number that is nearly linear in the place in the picture.
 struct light_lines {
     static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
 
@@ -36,20 +36,19 @@ struct light_lines {
 };
 using light_ranges = std::array<interval, light_lines::most>;
 
-/// Bounds the light of a piece in a cell. `background` is the colour of fog that has none of its
-/// own.
+/// Bounds the light of a piece in a cell. `background` is the colour of a fog that has no colour of
+/// its own.
 l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
                           const l3d_light_bounds& background);
 
-/// Bounds the mean light of a cell that a single sheet fills, and where nothing else is seen. It
-/// takes the lines of the best known piece, and how far the lines of all other pieces differ from
-/// them.
+/// Bounds the mean light of a cell that a single sheet fills, where nothing else is seen. It takes
+/// the lines of the best known piece, and how far the lines of all other pieces differ from these.
 class lone_sheet {
 public:
     lone_sheet(const l3d_image_box& cell, const l3d_light_bounds& background)
         : cell_(cell), background_(background) {}
 
-    /// Offers a piece of the sheet; the best known one is kept. Expects: all pieces are offered
+    /// Offers a piece of the sheet; the best known piece is kept. Expects: all pieces are offered
     /// before any is added.
     void offer(const l3d_doubt_leaf& leaf);
     /// Adds a piece of the sheet that touches the cell.
@@ -68,8 +67,8 @@ private:
     const l3d_doubt_leaf* first_ = nullptr; ///< the leaf added last
     bool is_one_look_ = true, is_known_ = true;
     l3d_light_bounds light_; ///< light of all pieces added
-    light_ranges ranges_,
-        beside_; ///< ranges of the lines, and of their differences from the best piece's lines
+    /// The ranges of all pieces' lines, and of their differences from the best known piece's lines.
+    light_ranges ranges_, beside_;
 };
 
 } // namespace l3d_detail

@@ -11,39 +11,39 @@
 
 namespace {
 
-/// The finest cells are 2^-4 pixel wide where they may show several surfaces, and 2^-3 where they
-/// show one. Cells that judge the drawing are at least 2^-3 pixel wide, and about twice as wide as
-/// the bound of places.
+/// The fineness of the finest cells, which are 2^-fineness pixels wide: where they may show
+/// surfaces of different looks, and where they show one surface. Cells that judge the drawing are
+/// at least 2^-3 pixel wide, and about twice as wide as the bound of places.
 constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
-/// If a pixel's level is known to within this, the pixel is not cut further. A cell is a small part
-/// of its pixel, so its own level may be off by more, in proportion to 1 / its width.
+/// If a pixel's level is known to within this, the pixel is not cut any further. A cell is a small
+/// part of its pixel. So the cell's own level may be less certain, in proportion to 1 / its width.
 constexpr double fine_levels = 1;
 
-/// From cells of 2^-3 pixel on, cutting is costly: a pixel is cut further only if its level is
-/// known less well than to costly_levels.
+/// Cutting cells of 2^-costly pixels or less is costly. So such cells are cut only if their pixel's
+/// level is not known to within costly_levels.
 constexpr int costly = 3;
 constexpr double costly_levels = 4;
 
-/// A piece up to largest_plain is plain, and so not halved, if its level and its picture are known
-/// to within the other two.
+/// The limits for a plain piece, which is not halved: its size, the error of its level, and the
+/// error of its picture.
 /// Units: pixels; levels in cells of a whole pixel; parts of a cell.
 constexpr double largest_plain = 6, plain_levels = 0.3, plain_part = 1.0 / 16;
 
-/// The most leaves of a tile. If it needs more, nothing is known of its pixels.
+/// The largest number of leaves of a tile. If a tile needs more, nothing is known of its pixels.
 constexpr std::size_t most_leaves = 100'000;
 
-/// The least part of a patch, along u or v, that a piece is cut to. Only pieces around the eye get
+/// The least size of a piece, along u or v, as a part of its patch. Only pieces around the eye get
 /// so small without becoming small in the picture.
 constexpr double least_part = 0x1p-24;
 
-/// The largest area whose light a tile may leave out. Where sRGB's curve is steepest, the area
-/// changes 12.92 * 255 times as many levels: a third of the allowance for rounding.
+/// The largest area whose light a tile may leave out. Where sRGB's curve is steepest, an area of 1
+/// changes 12.92 * 255 levels. So this area changes at most a third of the allowance for rounding.
 constexpr double most_left_out = 1e-8;
 
-/// The area of a box that certainly holds a piece's picture. It runs along the line from one corner
-/// to the farthest control point. Points may err by `pad`. The picture lies in the convex hull of
-/// its control points.
+/// The area of a box that certainly holds a piece's picture. The box runs along the line from one
+/// corner to the farthest control point. Points may err by `pad`. The picture lies in the convex
+/// hull of the piece's control points.
 double area_along(const l3d_image_patch& net, double pad) {
     const auto place = [](const l3d_image_point& p) {
         return std::array<double, 2>{p[0] / p[2], p[1] / p[2]};
@@ -113,8 +113,8 @@ l3d_image_box l3d_doubt_tile::box_of(const cell& c) const {
     return {left, top, left + size, top + size};
 }
 
-/// Calls visit(index) for each cell that a box reaches once it is grown by grown_, until `visit`
-/// returns false.
+/// Calls visit(index) for each cell that, grown by grown_, meets a box, until `visit` returns
+/// false.
 template <class Visit>
 void l3d_doubt_tile::for_cells(const l3d_image_box& box, const Visit& visit) const {
     const int across = side << fineness_;
@@ -160,8 +160,8 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
 }
 
 /// Whether a piece that reaches past the eye lies beside the tile. Most of such a piece is far
-/// beside the picture, and would be cut until its parts are as small as the near distance. The tile
-/// is grown by the control points' error at the near plane, and by a pixel to spare.
+/// beside the picture. It would be halved until its parts are as small as the near distance. The
+/// tile is grown by the control points' error at the near plane, and by a pixel to spare.
 bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) const {
     const l3d_dice_view& view = view_->view;
     const l3d_image_box window = view.window(tile_).grown(grown_);
@@ -169,8 +169,8 @@ bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) co
     return l3d_outside(piece.net.points, window.grown(1 + off), near - piece.of->error_w, view.far);
 }
 
-/// Whether a piece is seen so nearly from its edge that its light may be left out. If so, adds its
-/// area to areas_left_out_.
+/// Whether a piece is seen so nearly edge-on that its light may be left out. If so, the piece's
+/// area is added to areas_left_out_.
 bool l3d_doubt_tile::takes_no_area(const l3d_doubt_piece& piece) {
     const l3d_doubt_patch& of = *piece.of;
     const double least = piece.net.w().least;
@@ -257,8 +257,8 @@ l3d_doubt_pixel& l3d_doubt_tile::pixel_of(const cell& c) {
                                             (c.column >> fineness_))];
 }
 
-/// Bounds a cell, and adds the result to its pixel. If smaller cells may tell more, is_cut() takes
-/// the result back.
+/// Bounds the light in a cell, and adds the result to the cell's pixel. If smaller cells may tell
+/// more, is_cut() takes the result back.
 void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching) {
     const l3d_image_box box = box_of(c);
     const double part = std::ldexp(1.0, -2 * fineness_);
@@ -294,7 +294,8 @@ void l3d_doubt_tile::judge_cell(cell& c, std::span<const std::uint32_t> touching
         judge_.mark_seen(is_needed_);
 }
 
-/// Whether smaller cells may tell more than a cell. If so, takes back the cell's own result.
+/// Whether smaller cells may tell more than a cell. If so, the cell's own result is subtracted from
+/// its pixel.
 bool l3d_doubt_tile::is_cut(cell& c) {
     l3d_doubt_pixel& pixel = pixel_of(c);
     c.of_light = c.of_light && pixel.is_open;

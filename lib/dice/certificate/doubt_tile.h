@@ -17,22 +17,22 @@ struct l3d_doubt_pixel {
     /// Bounds of the pixel's light: the sum of those of its cells.
     l3d_light_bounds light;
 
-    /// The part in which it is not certain which surface the exact picture shows.
+    /// The part in which it is uncertain which surface the exact picture shows.
     double unsure = 0;
 
-    /// The part that may be drawn with another surface, if each surface is drawn within its bounds.
+    /// The part that may be drawn with a wrong surface, if each surface is drawn within its bounds.
     double unsure_drawn = 0;
 
     /// The part that certainly shows one surface in the exact picture.
     double covered = 0;
 
-    /// Whether smaller cells may bound its light better.
+    /// Whether smaller cells may bound the pixel's light better.
     bool is_open = true;
 };
 
-/// Bounds the pixels of a tile. It halves patches into pieces as small as pixels and judges each
-/// pixel. Uncertain cells are cut in four, again and again, and so are the pieces that reach into
-/// them.
+/// Bounds the pixels of a square tile of the exact picture. It halves patches into pieces as small
+/// as pixels and judges each pixel. Uncertain cells are cut in four, again and again. The pieces
+/// that reach into them are halved, too.
 ///
 /// Lives: kept from tile to tile for its memory.
 /// Cost:  some 7 us a pixel inside a surface, and a millisecond a pixel at an outline.
@@ -43,23 +43,23 @@ public:
     /// Starts a tile. Lives: borrows the view until the next tile.
     void begin(const l3d_doubt_view& view, const l3d_pixel_box& tile);
 
-    /// Adds a patch that may reach into the tile. Lives: borrows the piece's patch.
+    /// Adds a patch that may reach into the tile, as one piece. Lives: borrows the piece's patch.
     void add(const l3d_doubt_piece& whole);
 
     /// Bounds all pixels of the tile. Shape: row by row. Lives: until the next tile.
     std::span<const l3d_doubt_pixel> finish();
 
-    /// The number of pieces that were cut in two, in all tiles so far.
+    /// The number of pieces that were halved, in all tiles so far.
     std::int64_t cuts() const { return cuts_; }
 
 private:
-    /// A square of the picture, and the questions that are still open in it. Shape: column and row
-    /// in the tile, in units of the present fineness.
+    /// A square of the picture, and the questions that are still open in it: of its light, of its
+    /// drawing. Shape: column and row in the tile, counted in cells of the present fineness.
     struct cell {
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
-        l3d_light_bounds light{};       ///< its part of the pixel's `light`
-        double unsure = 0, covered = 0; ///< its parts of the pixel's `unsure` and `covered`
+        l3d_light_bounds light{};       ///< the cell's part of the pixel's `light`
+        double unsure = 0, covered = 0; ///< the cell's parts of l3d_doubt_pixel
     };
 
     l3d_image_box box_of(const cell& c) const;
@@ -79,8 +79,8 @@ private:
 
     const l3d_doubt_view* view_ = nullptr;
     l3d_pixel_box tile_;
-    double grown_ =
-        0; ///< how far cells grow: the bound of places while a cell judges the drawing, else 0
+    /// How far cells are grown: the bound of places while the drawing is judged, else 0.
+    double grown_ = 0;
     bool judges_drawing_ = false;
     int finest_drawing_ = 0;
     int fineness_ = 0; ///< cells are 2^-fineness pixels wide
@@ -91,8 +91,9 @@ private:
     std::vector<std::int32_t> grid_; ///< index in cells_ for each possible cell, or -1
     std::vector<l3d_doubt_leaf> leaves_, next_leaves_;
     std::vector<bool> is_needed_; ///< for each leaf, whether a smaller cell may still show it
-    std::vector<std::uint32_t> first_,
-        touching_; ///< the leaves that touch each cell, one cell after the other
+    /// The leaves that touch each cell, one cell after the other: cell i has those from first_[i]
+    /// on.
+    std::vector<std::uint32_t> first_, touching_;
     std::vector<l3d_doubt_pixel> pixels_;
     l3d_cell_bounds judge_;
 };

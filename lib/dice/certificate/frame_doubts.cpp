@@ -14,11 +14,11 @@ namespace {
 using vector = l3d_vector<double, 3>;
 using l3d_detail::infinite;
 
-/// Bounds the rounding of sums of light in double, and of the map's floats. Units: levels.
+/// Bounds the rounding of sums of light in double, and of the map's floats. Units: levels of 255.
 constexpr double level_rounding = 1e-4;
 
-/// If the bounds are larger than this, pixels are not searched for other surfaces. Then any part of
-/// a pixel may show one.
+/// The largest bounds of places and depth, added, for which pixels are searched for other surfaces
+/// within the bounds. Without a search, all of a pixel may show another surface.
 /// Units: pixels.
 constexpr double most_searched = 2;
 
@@ -37,7 +37,8 @@ std::array<vector, 3> world_of_image(const l3d_matrix<double>& m) {
             l3d_cross<double>(x, y) * part};
 }
 
-/// How far a drawn pixel may be off, from bounds of its light, in the worst channel. Units: levels.
+/// How far a drawn pixel may be off in the worst channel, if its exact light is within these
+/// bounds. Units: levels of 255.
 double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     double result = 0;
     for (std::size_t i = 0; i < light.least.size(); ++i) {
@@ -49,11 +50,11 @@ double most_off(std::uint32_t word, const l3d_light_bounds& light) {
 }
 
 /// Bounds the relative rounding of normals. Their coefficients are sums of some dozens of products
-/// of differences. Some dozens of halvings and a matrix follow.
+/// of differences, then are halved some dozens of times and multiplied by a matrix.
 constexpr double normal_rounding = 0x1p-44;
 
-/// Bounds the length of an instance's normals. The largest component of a net is 1 (l3d_normal_net)
-/// before a placement turns it.
+/// Bounds the length of an instance's normals. The largest component of a normal net is 1
+/// (l3d_normal_net) before a placement turns the net.
 double longest_normal(const l3d_patch_instance& instance) {
     double sum = 2;
     for (int row = 0; row < 3; ++row)
@@ -62,7 +63,7 @@ double longest_normal(const l3d_patch_instance& instance) {
     return sum;
 }
 
-/// All lamps of the frame. The first light comes first.
+/// All lamps of the frame. The first lamp stands for the first light, with the direction `first`.
 std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vector& first) {
     std::vector<l3d_doubt_lamp> result{{first, frame.lighting.color}};
     for (std::size_t i = 0; i < frame.lighting.count; ++i) {
@@ -74,7 +75,7 @@ std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vecto
     return result;
 }
 
-/// The largest distance of the edges that a patch's trims follow from their faces.
+/// The largest distance from their faces of the edges that a patch's trims follow.
 double off_edges(const l3d_patch_model& model, std::size_t patch) {
     double result = 0;
     if (const l3d_trim_region* const trims = model.trim(patch))
@@ -92,7 +93,8 @@ double determinant_of(const l3d_matrix<double>& m) {
 
 } // namespace
 
-/// Finds the patches that may reach the picture. It keeps only their boxes, since nets are large.
+/// Finds the patches that may reach the picture. It keeps only the patches' boxes, since nets are
+/// large.
 void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
     sides_.clear(); // a new model may have the identity of a gone one
     patches_.clear();
@@ -169,8 +171,8 @@ l3d_doubt_piece l3d_frame_doubts::whole_of(const l3d_doubted_frame& frame, const
     return whole;
 }
 
-/// Bounds the light of a box's pixels. It is the weighted mean over all choices of the transparent
-/// instances that reach the box.
+/// Bounds the light of the pixels in a box of the picture. The light is the weighted mean over all
+/// choices of the transparent instances that reach the box.
 std::vector<l3d_frame_doubts::pixel> l3d_frame_doubts::find_light(const l3d_doubted_frame& frame,
                                                                   const l3d_pixel_box& box,
                                                                   l3d_doubt_tile& tile) const {

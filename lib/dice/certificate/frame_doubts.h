@@ -17,27 +17,28 @@
 #include <map>
 #include <vector>
 
-/// A drawn frame and its bounds, whose pixels are to be judged.
+/// The input of l3d_frame_doubts: a drawn frame whose pixels are to be judged, and its bounds.
 struct l3d_doubted_frame {
     const l3d_patch_scene& scene;
     const l3d_matrix<double>& to_image; ///< maps the world to the view's units
     const l3d_dice_view& view;
     l3d_vector<double, 3> light; ///< towards the light, in the world; any length
-    /// Bounds of places and of depth; infinite if the frame has none. Units: pixels.
+    /// Error bounds of places and of depth; infinite if the frame has no such bound. Units: pixels.
     double bound_px, depth_bound_px;
     l3d_curved_error curved{}; ///< how far patches of curved models are off their surfaces
-    /// Whether the frame shows Lambert's levels of one white light, without highlights and fog. If
-    /// not, `lighting` and `fog` count.
+    /// Whether the frame shows Lambert's levels of one white light, without highlights and fog.
+    /// Otherwise `lighting` and `fog` are used.
     bool has_levels = true;
-    l3d_lighting lighting{}; ///< lights, without the direction of the first one
+    l3d_lighting lighting{}; ///< the lights, without the direction of the first light
     l3d_fog fog{};
     double nearer = 0; ///< how much nearer the camera's own eye is than the eye that w counts from
-    l3d_pixels drawn;  ///< greys in all three channels, or any colours
+    l3d_pixels drawn;  ///< the picture: greys in all three channels, or any colours
     l3d_background background{}; ///< the exact background behind all surfaces; not none
 };
 
-/// Bounds the exact picture from the exact patches, and compares the drawn picture with the bounds
-/// (NUMERICS, The map of doubt). The bounds do not depend on how the picture was drawn.
+/// Bounds how far each pixel of a drawn frame is off the exact picture. It bounds the exact picture
+/// from the exact patches, and compares the drawn picture with these bounds (NUMERICS, The map of
+/// doubt). The bounds of the exact picture do not depend on how a picture was drawn.
 ///
 /// Cost: some 7 us a pixel that shows a surface, and a millisecond a pixel at an outline.
 class l3d_frame_doubts {
@@ -46,40 +47,42 @@ public:
     /// size.
     void find(const l3d_doubted_frame& frame, l3d_workers& workers);
 
-    /// For each pixel of the last frame, how far it may be off. Units: levels of 255.
+    /// For each pixel of the last frame, how far it may be off the exact picture. Units: levels of
+    /// 255.
     const l3d_error_map& map() const { return map_; }
 
     /// For each pixel, the part of its square, from 0 to 1, that may show another surface than the
-    /// exact picture. It is 1 everywhere if coverage_bound() is infinite.
+    /// exact picture. The part is 1 everywhere if coverage_bound() is infinite.
     const l3d_error_map& coverage() const { return coverage_; }
 
     /// The largest part of any pixel's square that may show another surface than in the exact
     /// picture, from 0 to 1. Infinite if places or depth have no bound.
     double coverage_bound() const { return coverage_bound_; }
 
-    /// The largest bound of any pixel that lies inside one surface or shows the background alone.
-    /// It is infinite if the frame has uncertain pixels, but none that lies inside a surface.
-    /// Units: levels.
+    /// The largest error in map() of any pixel that lies inside one surface or shows the background
+    /// alone. It is infinite if the frame has uncertain pixels, but no pixel that lies inside a
+    /// surface.
+    /// Units: levels of 255.
     double color_bound() const { return color_bound_; }
 
-    /// The number of pieces that were cut in two, in all frames so far: a measure of the map's
-    /// cost.
+    /// The number of pieces that were halved, in all frames so far: a measure of the map's cost.
     std::int64_t cuts() const;
 
 private:
-    /// A patch, and its box in the picture.
+    /// A patch of the frame, and its box in the picture.
     struct placed {
         l3d_doubt_patch of;
         l3d_image_box box;
     };
-    /// Bounds of a pixel. The light is the mean over all choices of transparent surfaces.
+    /// Bounds of a pixel of the frame. `light` is the mean over all choices of which transparent
+    /// surfaces are there.
     struct pixel {
         l3d_light_bounds light;
-        double unsure = 0, unsure_drawn = 0, covered = 0; ///< the largest parts of any choice
+        double unsure = 0, unsure_drawn = 0, covered = 0; ///< the largest parts over all choices
     };
     struct tile_result {
         double coverage = 0, color = 0;
-        bool has_unsure = false, has_covered = false; ///< pixels
+        bool has_unsure = false, has_covered = false; ///< kinds of pixels in the tile
     };
 
     void place(const l3d_doubted_frame& frame);
@@ -94,7 +97,7 @@ private:
     std::vector<placed> patches_;
     std::vector<l3d_doubt_tile> tiles_; ///< one for each worker
     l3d_error_map map_, coverage_;
-    bool is_searched_ = false; ///< whether other surfaces were searched for within the bounds
+    bool is_searched_ = false; ///< whether a search found coverage(); if not, it is 1
     double coverage_bound_ = 0, color_bound_ = 0;
 };
 

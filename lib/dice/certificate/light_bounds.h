@@ -18,14 +18,16 @@ inline l3d_color_parts l3d_parts_of(std::uint32_t word) {
     return {(word >> 16 & 0xff) / 255.0, (word >> 8 & 0xff) / 255.0, (word & 0xff) / 255.0};
 }
 
-/// Bounds of the light of each channel. Units: linear light from 0 to 1; red first.
+/// Bounds of the light of each channel of a pixel or a part of it. Units: linear light from 0 to 1;
+/// red first.
 struct l3d_light_bounds {
     std::array<double, 3> least{}, most{};
 
     static l3d_light_bounds none() { return {}; }
     static l3d_light_bounds any() { return {{0, 0, 0}, {1, 1, 1}}; }
 
-    /// Makes bounds of each channel: of(part) returns those of a channel with this part of white.
+    /// Makes bounds of each channel by calls of(part). These return the least and the most light of
+    /// a channel whose colour is `part` of white.
     template <class Of> static l3d_light_bounds by_parts(const l3d_color_parts& parts, Of of) {
         l3d_light_bounds result;
         for (std::size_t i = 0; i < parts.size(); ++i) {
@@ -38,7 +40,7 @@ struct l3d_light_bounds {
         return result;
     }
 
-    /// Adds another light, times `part`.
+    /// Adds the bounds of another light, times `part`.
     void add(const l3d_light_bounds& other, double part = 1) {
         for (std::size_t i = 0; i < least.size(); ++i) {
             least[i] += part * other.least[i];
@@ -54,7 +56,7 @@ struct l3d_light_bounds {
         }
     }
 
-    /// How many levels the bounds are apart in the worst channel.
+    /// How many levels of 255 the bounds are apart in the worst channel.
     double levels_apart() const {
         double result = 0;
         for (std::size_t i = 0; i < least.size(); ++i)
@@ -65,12 +67,12 @@ struct l3d_light_bounds {
     }
 };
 
-/// The verdict on a cell of the exact picture.
+/// The verdict on a cell of the exact picture: what is certain in it, and bounds of its light.
 struct l3d_doubt_verdict {
     bool is_certain = false; ///< one surface of one colour, or the background, fills the cell
-    bool is_covered = false; ///< a surface of one colour fills it, not the background
-    l3d_light_bounds light = l3d_light_bounds::any(); ///< bounds of the mean over the cell
-    double spread = 0;                                ///< how far the light is unknown, in levels
+    bool is_covered = false; ///< a surface of one colour, not the background, fills the cell
+    l3d_light_bounds light = l3d_light_bounds::any(); ///< bounds of the mean light over the cell
+    double spread = 0; ///< how uncertain the light is, in levels of 255
 };
 
 #endif

@@ -13,10 +13,11 @@
 
 namespace {
 
-/// The most halvings of an edge. 2^24 strips are more than any picture has pixels along an edge.
+/// The largest number of halvings of an edge. The 2^24 strips are more than any picture has pixels
+/// along an edge.
 constexpr int deepest = 24;
 
-/// Edges that are not small are halved twice, into four strips, as patches are.
+/// The number of halvings of edges that are not small: these get four strips, as patches do.
 constexpr int usual_level = 2;
 
 double largest_of(const l3d_image_curve& curve, bool depth) {
@@ -147,7 +148,8 @@ void l3d_edge_polyline::take(const l3d_detail::edge_strips& strips, const l3d_im
     vertex_error_ = strips.vertex_error;
 }
 
-/// Makes the edge in as few parts as will do. Returns false if no allowed number will.
+/// Makes the edge of as few equal parts as possible, each of which needs at most 32 steps a strip.
+/// Returns false if most_parts parts are not enough.
 bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_view& view) {
     std::array<l3d_image_curve, most_parts> parts{edge};
     for (std::size_t count = 2; count <= most_parts; count *= 2) {
@@ -159,8 +161,8 @@ bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_v
     return false;
 }
 
-/// Makes an edge of its parts, each like an edge by itself. Returns false if one of them is too
-/// long.
+/// Makes an edge of its parts; each part is made like an edge by itself. Returns false if any part
+/// needs too many steps.
 bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view) {
     constexpr std::size_t at_once = l3d_detail::edges_at_once;
     std::array<l3d_detail::edge_strips, most_parts> strips;
@@ -237,7 +239,7 @@ void l3d_edge_polyline::join(const l3d_edge_polyline& first, const l3d_edge_poly
     vertex_error_ = std::max(first.vertex_error_, second.vertex_error_);
 }
 
-/// Makes any edge, also one to be clipped, in as many strips as it takes.
+/// Makes any edge, also an edge that has to be clipped, of as many strips as are needed.
 void l3d_edge_polyline::cut(const l3d_image_curve& edge, const l3d_dice_view& view) {
     t_.clear();
     x_.clear();

@@ -26,28 +26,29 @@ struct edge_strips;
 /// neighbours compute the same bits, even if one runs along the edge backwards. Each neighbour
 /// fills the slit between its own boundary row and this polyline.
 /// Shape: points in order of rising t, from 0 to 1, one array for each component.
-/// Cost:  at most 32 points a strip; an edge is halved where that is too coarse. 150 ns an edge of
-///        24 points, if it needs no clipping and is one of four (AVX-512).
+/// Cost:  at most 32 points a strip; an edge that needs more is cut. 150 ns for an edge of 24
+///        points that needs no clipping and is made with three others (AVX-512).
 class l3d_edge_polyline {
 public:
-    /// Builds four lines at once: lines[k] from edges[k]. The points of edges[k] have the share
+    /// Builds four polylines at once: lines[k] from edges[k]. The points of edges[k] have the share
     /// shares[k] of the view's errors.
-    /// Expects: the view's near plane is no farther than that of points with the least share.
+    /// Expects: the view's near plane is no farther than the near plane of points with the least
+    ///          share (l3d_dice_view::near_of).
     static void build(std::span<l3d_edge_polyline, 4> lines,
                       const std::array<l3d_image_curve, 4>& edges, const l3d_dice_view& view,
                       const std::array<double, 4>& shares = {1, 1, 1, 1});
 
-    /// Builds the line of one edge. It has the same points as one of four, but takes more than a
-    /// quarter of the time of four.
+    /// Builds the polyline of one edge. Its points are those that building four at once would give.
+    /// Four at once take less than four times as long.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
-    /// Makes the line of an edge of two others. The edge's two halves are sides of smaller patches
-    /// beyond it.
+    /// Makes the polyline of an edge of the polylines of its halves, which are sides of smaller
+    /// patches beyond the edge.
     /// Expects: `first` ends where `second` begins; both were built for this view.
     void join(const l3d_edge_polyline& first, const l3d_edge_polyline& second,
               const l3d_dice_view& view);
 
-    /// Reserves memory, so that this line allocates for no edge for which `other` would not.
+    /// Reserves memory, so that this polyline allocates for no edge for which `other` would not.
     void reserve_as(const l3d_edge_polyline& other);
 
     std::size_t size() const { return size_; }
@@ -59,17 +60,18 @@ public:
     /// Point i in the form that clipping takes, without parameters and normal.
     l3d_clip_vertex clip_vertex(std::size_t i, const l3d_dice_view& view) const;
 
-    /// The number of equal parts that the edge was made of, at most 16. It is one, or as many as
-    /// are needed so that 32 steps a strip are enough.
+    /// The largest number of equal parts into which an edge is cut, so that 32 steps a strip are
+    /// enough.
     static constexpr std::size_t most_parts = 16;
+    /// The number of equal parts into which this edge is cut, mostly 1.
     std::size_t parts() const { return parts_; }
 
-    /// Where the strips of a part begin, counted in points of the whole edge. A part has one strip,
-    /// or four of equal length, as a patch has. There are 0 strips if some points of the edge
+    /// Where the strips of a part begin, as indices of the edge's points. A part has one strip, or
+    /// four strips of equal length, as a patch has. There are 0 strips if some points of the edge
     /// cannot be drawn.
     const l3d_block_starts& strips(std::size_t part = 0) const { return strips_[part]; }
 
-    /// The strips of the part from t0 to t1; null if there is no such part.
+    /// The strips of the part that runs from t0 to t1; null if no part does.
     const l3d_block_starts* strips_between(double t0, double t1) const {
         const double part = t0 * static_cast<double>(parts_);
         return (t1 - t0) * static_cast<double>(parts_) == 1 && part == std::floor(part)
@@ -85,8 +87,9 @@ public:
         return static_cast<std::size_t>(std::upper_bound(first, first + size_ - 1, t) - first) - 1;
     }
 
-    /// The certified error of the visible segments in the picture, in two parts. One is the error
-    /// of chords between exact points, the other that of the points themselves. Units: pixels.
+    /// The certified error of the visible segments in the picture, in two parts. The first is the
+    /// error of chords between exact points, the second the error of the points themselves. bound()
+    /// is their sum. Units: pixels.
     double chord_error() const { return chord_error_; }
     double vertex_error() const { return vertex_error_; }
     double bound() const { return chord_error_ + vertex_error_; }

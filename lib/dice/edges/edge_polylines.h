@@ -11,16 +11,18 @@
 #include <span>
 #include <vector>
 
-/// The edge polylines of one patch. The next patch reuses their memory.
+/// The edge polylines of one patch, and of the pieces into which it is cut. The next patch reuses
+/// their memory.
 ///
 /// Shape: outer edges are [0] v low, [1] v high (both along u), [2] u low, [3] u high (both along
-///        v). Edges from [4] on are cuts through the patch.
+///        v). The edges from [4] on are cuts through the patch.
 class l3d_edge_polylines {
 public:
     static constexpr std::size_t sides = 4;
 
     /// Builds the four outer edges of a patch, and forgets all other edges.
-    /// Expects: an edge has the same share of the view's errors in all patches that share it.
+    /// Expects: all patches that share an edge pass the same share for it
+    ///          (l3d_dice_view::share_of).
     void build(const l3d_image_patch& net, const l3d_dice_view& view,
                const std::array<double, sides>& shares = {1, 1, 1, 1}) {
         l3d_edge_polyline::build(std::span(edges_).first<sides>(),
@@ -29,7 +31,7 @@ public:
         used_ = sides;
     }
 
-    /// Builds an outer edge anew from its halves, `first` and `second`. They are sides of two
+    /// Builds an outer edge anew from its halves, `first` and `second`. The halves are sides of two
     /// smaller patches beyond the edge, each with its own share of the view's errors.
     void build_halved(std::size_t side, const l3d_image_curve& first, const l3d_image_curve& second,
                       const l3d_dice_view& view, const std::array<double, 2>& shares) {
@@ -38,7 +40,7 @@ public:
         edges_[side].join(halves_[0], halves_[1], view);
     }
 
-    /// Builds one more edge, and returns its index.
+    /// Builds the edge of a cut through the patch, and returns its index.
     std::size_t add(const l3d_image_curve& curve, const l3d_dice_view& view) {
         if (used_ == edges_.size())
             edges_.emplace_back();
@@ -46,8 +48,8 @@ public:
         return used_++;
     }
 
-    /// Reserves memory for as many edges as `other` has, each as large as its edge there. Then
-    /// building such edges allocates nothing.
+    /// Reserves memory for as many edges as `other` has, each as large as the edge there. Building
+    /// such edges then allocates nothing.
     void reserve_as(const l3d_edge_polylines& other) {
         if (edges_.size() < other.edges_.size())
             edges_.resize(other.edges_.size());

@@ -21,12 +21,13 @@ namespace {
 constexpr std::size_t most_strips = l3d_block_starts::most_blocks;
 constexpr std::size_t lanes = edges_at_once * most_strips;
 
-/// One number for each strip: lane 4 s + e is strip s of edge e.
+/// One number for each strip of four edges: element 4 s + e is for strip s of edge e.
 struct alignas(64) row {
     double at[lanes];
 };
 
-/// The four control values of a cubic in one coordinate, or its coefficients of powers of t.
+/// The four control values of cubics in one coordinate, or their coefficients of powers of t, for
+/// all strips.
 using cubic = std::array<row, 4>;
 
 /// The strips' control points: [coordinate][control point].
@@ -42,8 +43,8 @@ template <class V> V least_of(V a, V b, V c, V d) {
     return hn::Min(hn::Min(a, b), hn::Min(c, d));
 }
 
-/// Computes the bound of l3d_space_bound_of for strips from lane l on, not yet divided by w, and
-/// without the factor 6.
+/// Computes the bound of l3d_space_bound_of for the strips from lane l on. It is not yet divided by
+/// w, and lacks the factor 6.
 HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) {
     const eight_doubles d;
     const number zero = same(0), one = same(1), scale = same(focal);
@@ -83,21 +84,21 @@ HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) 
     return most;
 }
 
-/// The demands of each strip on its steps.
+/// The numbers on which the choice of each strip's steps depends.
 struct strip_wishes {
-    /// 1 / (4 budget), times the factor for finer outlines, which rows along sides have, too. An
-    /// edge gets half the budget, as each direction of a quad does. So an edge and the boundary row
-    /// of a patch mostly have the same steps, and the slit between them is empty.
+    /// 1 / (4 budget), times the factor for finer outlines (l3d_dice_view::finer_outlines). An edge
+    /// gets half the budget, as each direction of a quad does. So an edge and the boundary row of a
+    /// patch mostly have the same steps, and the slit between them is empty.
     row per_budget;
-    /// The factor by which balance changes the square of the steps: 8 l3d_balance, or 1 without
-    /// balance.
+    /// The factor by which balancing changes the square of the number of steps: 8 l3d_balance, or 1
+    /// without balance.
     row balance;
-    row grown_by; ///< largest move of vertices by balance
+    row grown_by; ///< the largest distance by which balancing moves vertices
 };
 
-/// Finds the steps and chord errors of all strips, as l3d_second_bound_of and l3d_depth_bound_of
-/// do. The errors are those of unbalanced chords, as slits have them. Only the first `used` lanes
-/// count, but whole vectors are written.
+/// Finds the number of steps and the chord errors of all strips, by the bounds of
+/// l3d_second_bound_of and l3d_depth_bound_of. The errors are those of unbalanced chords, as slits
+/// have them. Only the first `used` lanes count, but whole vectors are written.
 void plan_strips(const strip_nets& nets, std::size_t used, const l3d_image_box& window,
                  double focal, const strip_wishes& wishes, row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;

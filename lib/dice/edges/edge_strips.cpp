@@ -26,7 +26,7 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Halves curves as l3d_bezier_curve::split does.
+/// Halves the curves in all lanes as l3d_bezier_curve::split does.
 void split(const cubic& p, cubic& HWY_RESTRICT low, cubic& HWY_RESTRICT high) {
     for (std::size_t l = 0; l < lanes; ++l) {
         const double a = (p[0].at[l] + p[1].at[l]) / 2, b = (p[1].at[l] + p[2].at[l]) / 2,
@@ -58,8 +58,8 @@ void cut_in_four(const cubic& edges, strip_nets& out) {
                     out[k][i].at[4 * s + e] = strips[s][i].at[4 * k + e];
 }
 
-/// Converts control values p to powers of t, p(t) = c0 + t (c1 + t (c2 + t c3)), in the first
-/// lanes.
+/// Converts control values p to coefficients c of powers of t, in the first `used` lanes. Then p(t)
+/// = c0 + t (c1 + t (c2 + t c3)).
 void to_powers(const cubic& p, std::size_t used, cubic& HWY_RESTRICT c) {
     for (std::size_t l = 0; l < used; ++l) {
         double a0 = p[0].at[l], a1 = p[1].at[l], a2 = p[2].at[l], a3 = p[3].at[l];
@@ -71,7 +71,7 @@ void to_powers(const cubic& p, std::size_t used, cubic& HWY_RESTRICT c) {
     }
 }
 
-/// Writes the points of an edge one after the other.
+/// Writes the points of an edge to its arrays, one strip after the other.
 class point_writer {
 public:
     point_writer(const l3d_dice_view& view, const edge_strips& out)
@@ -80,8 +80,8 @@ public:
           w_middle_(view.w_middle), depth_slope_(is_parallel_ ? view.depth_slope() : 0), t_(out.t),
           x_(out.x), y_(out.y), inv_w_(out.inv_w) {}
 
-    /// Writes points 0 to n - 1 of a strip of n steps, or the same in opposite order. Point i has
-    /// the parameter t_first + i t_step of the edge as it was given. All points but point 0 are
+    /// Writes points 0 to n - 1 of a strip of n steps, or in opposite order if `backwards`. Point i
+    /// has the parameter t_first + i t_step of the edge as it was given. All points but point 0 are
     /// moved by `balance` times the second derivative.
     void strip(const strip_nets& powers, std::size_t lane, int n, double balance, bool backwards,
                double t_first, double t_step) {
@@ -113,7 +113,7 @@ public:
         advance(n);
     }
 
-    /// Writes an end of the edge, which is a corner of its patches.
+    /// Writes an end of the edge, which is a corner of all patches at the edge.
     void corner(const l3d_image_point& h, double t, const l3d_dice_view& view) {
         const l3d_micro_vertex vertex = l3d_canonical_vertex(h, view).dice.vertex;
         *t_ = t;
@@ -124,7 +124,7 @@ public:
     }
 
 private:
-    /// The cubic, less `moved` times its second derivative.
+    /// The value at t of a cubic, less `moved` times its second derivative.
     template <class D>
     static hn::Vec<D> value(D d, const cubic& c, std::size_t lane, hn::Vec<D> t, hn::Vec<D> moved) {
         auto sum = hn::Set(d, c[3].at[lane]);
@@ -164,7 +164,7 @@ private:
     float* inv_w_;
 };
 
-/// The facts about some whole edges that are found before their strips.
+/// The facts about some whole edges that are found before their strips are planned.
 struct edge_views {
     std::array<bool, edges_at_once> drawable, one_strip, backwards;
     std::array<double, edges_at_once> vertex_error{};
@@ -174,13 +174,13 @@ using edge_tag = hn::CappedTag<double, edges_at_once>;
 using edge_lanes = hn::Vec<edge_tag>;
 using edge_mask = hn::Mask<edge_tag>;
 
-/// A control point of some edges.
+/// A control point of some edges, an edge a lane.
 struct edge_points {
     edge_lanes x, y, w;
 };
 
-/// Whether a control point can be drawn, and by more than rounding of its neighbours can take.
-/// Sections are left to safely_left.
+/// Whether a control point certainly can be drawn, and points beside it, too, whatever their
+/// rounding. Sections are not looked at; see safely_left.
 edge_mask safely_before(const edge_points& h, edge_lanes near, const l3d_dice_view& view) {
     const edge_tag d;
     constexpr double slack = 0x1p-30;
@@ -190,7 +190,7 @@ edge_mask safely_before(const edge_points& h, edge_lanes near, const l3d_dice_vi
                    hn::And(hn::Le(hn::Abs(h.x), reach), hn::Le(hn::Abs(h.y), reach)));
 }
 
-/// Whether a section leaves a point, and by more than rounding of its neighbours can take.
+/// Whether a section certainly leaves a point, and points beside it, too, whatever their rounding.
 bool safely_left(const l3d_image_point& h, const l3d_image_section& cut) {
     constexpr double slack = 0x1p-30;
     const double terms = std::abs(cut.normal[0] * h[0]) + std::abs(cut.normal[1] * h[1]) +
@@ -198,7 +198,7 @@ bool safely_left(const l3d_image_point& h, const l3d_image_section& cut) {
     return cut.distance(h) > slack * terms;
 }
 
-/// The same as runs_backwards, in lanes.
+/// The answers of runs_backwards for some edges, in lanes.
 edge_mask backwards_of(const edge_points (&p)[4]) {
     edge_mask result = hn::Lt(p[3].x, p[0].x), same = hn::Eq(p[3].x, p[0].x);
     const auto take = [&](edge_lanes from, edge_lanes to) HWY_ATTR {
@@ -218,7 +218,7 @@ struct alignas(64) edge_numbers {
     double of[edges_at_once];
 };
 
-/// The boxes of some edges, and the sizes of their coordinates.
+/// The boxes of some edges in the picture, and the sizes of their coordinates.
 struct edge_extents {
     edge_numbers left, right, top, bottom, largest_xy, largest_w, least_w;
 
@@ -258,7 +258,8 @@ struct edge_extents {
     }
 };
 
-/// Finds the facts about some edges. Reverses the control points of edges that run backwards.
+/// Finds the facts about some edges. Reverses the control points in `whole` of edges that run
+/// backwards.
 /// Shape: `whole` has coordinate k of edge e in lane 4 k + e.
 edge_views view_edges(const std::array<l3d_image_curve, edges_at_once>& edges,
                       const std::array<double, edges_at_once>& shares, const l3d_dice_view& view,
@@ -308,7 +309,7 @@ edge_views view_edges(const std::array<l3d_image_curve, edges_at_once>& edges,
     return result;
 }
 
-/// The demands of some edges' strips.
+/// The numbers on which the steps of some edges' strips depend.
 strip_wishes wishes_of(const edge_views& seen, const l3d_dice_view& view) {
     strip_wishes wishes;
     for (std::size_t e = 0; e < edges_at_once; ++e) {
@@ -323,7 +324,8 @@ strip_wishes wishes_of(const edge_views& seen, const l3d_dice_view& view) {
     return wishes;
 }
 
-/// Steps, errors and polynomials of some edges' strips. Shape: strip s of edge e in lane 4 s + e.
+/// The steps, errors and polynomials of some edges' strips. Shape: strip s of edge e in lane 4 s +
+/// e.
 struct planned_strips {
     row steps, chord_error;
     strip_nets powers;

@@ -15,8 +15,8 @@ namespace l3d_detail {
 /// The number of edges that are made together.
 inline constexpr std::size_t edges_at_once = 4;
 
-/// Whether an edge's points are made from its last control point on. They begin at the
-/// lexicographically smaller end, so that both directions give the same bits.
+/// Whether an edge's points are computed from its last control point on. The computation begins at
+/// the lexicographically smaller end, so that both directions of an edge give the same bits.
 inline bool runs_backwards(const l3d_image_curve& edge) {
     const auto& p = edge.points;
     for (std::size_t i = 0; i < 2; ++i)
@@ -26,25 +26,28 @@ inline bool runs_backwards(const l3d_image_curve& edge) {
     return false;
 }
 
-/// The arrays to which an edge's points are written, and facts about the points.
+/// The result of make_edge_strips for an edge: the arrays to which its points are written, and
+/// facts about the points.
 struct edge_strips {
     /// Room for all points of an edge and one vector of up to eight doubles more, since whole
     /// vectors are stored.
     static constexpr std::size_t room =
         std::size_t{l3d_block_starts::most_blocks} * l3d_most_steps_whole + 1 + 8;
 
-    double* t; ///< each array has `room` numbers
+    double* t; ///< the points' parameters; each array has `room` numbers
     std::int32_t *x, *y;
     float* inv_w;
 
-    l3d_block_starts strips; ///< one strip or four; none if the edge needs clipping or more steps
+    /// One strip or four; none if the edge needs clipping or too many steps.
+    l3d_block_starts strips;
     double chord_error, vertex_error;
-    bool too_long; ///< every control point can be drawn, but a strip needs more than 32 steps
+    /// Whether every control point can be drawn, but a strip needs more than 32 steps.
+    bool too_long;
 };
 
-/// Makes the points of ordinary edges: their control points can all be drawn, and they need at most
-/// 32 steps a strip. Other edges get no strips. The points depend on each edge alone, and are the
-/// same, in reverse order, for the reversed edge.
+/// Makes the points of ordinary edges. The control points of an ordinary edge can all be drawn, and
+/// it needs at most 32 steps a strip. Other edges get no strips. Points depend on their edge alone.
+/// A reversed edge has the same points in reverse order.
 /// Shape:  the points of edges[k] have the share shares[k] of the view's errors.
 /// Cost:   150 ns an edge of 24 points with AVX-512.
 /// Errors: points are evaluated in power form, see l3d_power_form_error.

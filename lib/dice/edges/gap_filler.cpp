@@ -15,7 +15,7 @@
 
 namespace {
 
-/// A place in the picture. Units: 1/256 pixel.
+/// The place of a slit triangle's corner in the picture. Units: 1/256 pixel.
 struct slit_place {
     std::int32_t x, y;
 };
@@ -34,14 +34,14 @@ std::int64_t turn(const slit_place& p, const slit_place& q, std::int32_t x, std:
     return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
-/// Whether triangles without a pixel's centre may be left out. They may not where trims cut
-/// triangles: trims snap the corners of the rest, which may then hold a centre.
+/// Whether triangles without a pixel's centre may be left out. They may not be left out where trims
+/// cut triangles. A part that trims leave has snapped corners, and may hold a centre.
 bool counts_centres(const l3d_dice_view& view) {
     return !view.keep.centreless && view.trim == nullptr;
 }
 
 /// Whether a triangle certainly holds none of the centres of some columns and rows of pixels, not
-/// even on its sides. It looks at each line of pixels along the longer side of the triangle's box.
+/// even on its sides. Each line of pixels along the longer side of the triangle's box is looked at.
 bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place& r,
                      const l3d_pixel_centres<std::int32_t>& columns,
                      const l3d_pixel_centres<std::int32_t>& rows) {
@@ -81,10 +81,10 @@ bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place&
     return true;
 }
 
-/// Whether a triangle certainly covers no pixel's centre. That is known if its box holds no centre
-/// or its corners lie on one line. Else it is known if no centre of its box lies in it or on its
-/// sides. Without `by_centres`, that is tested only if the box has a single centre. Nearly all
-/// triangles of slits cover nothing.
+/// Whether a triangle certainly covers no pixel's centre. It covers none if its box holds no centre
+/// or its corners lie on one line. It also covers none if no centre in its box lies in it or on its
+/// sides. Without `by_centres`, this last test is made only if the box has a single centre. Nearly
+/// all triangles of slits cover nothing.
 inline bool covers_nothing(const slit_place& p, const slit_place& q, const slit_place& r,
                            bool by_centres) {
     const auto along_x = centres_between(p.x, q.x, r.x);
@@ -101,7 +101,8 @@ inline bool covers_nothing(const slit_place& p, const slit_place& q, const slit_
 }
 
 /// Notes how far a triangle of a slit reaches along the grid's side. If a corner lies beyond the
-/// side's end, it has the level of that end, which no bound covers. Then the span is infinite.
+/// side's end, it has the shade level of that end, which no bound covers. Then the span is
+/// infinite.
 void note_span(l3d_diced_piece& out, bool straight, bool along_u, double low, double high) {
     const std::vector<double>& at = along_u ? out.u : out.v;
     if (at.size() < 2)
@@ -133,8 +134,8 @@ void add(l3d_clip_vertex a, l3d_clip_vertex b, l3d_clip_vertex c, float side, bo
     l3d_clip_triangle(a, b, c, view, out);
 }
 
-/// Notes the segment from one point of an edge to the next as border of the triangle that was added
-/// last.
+/// Notes the segment from one point of an edge to the next as a border of the part, at the triangle
+/// that was added last.
 void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
                l3d_diced_piece& out) {
     if (out.part.triangles.count == 0 || !l3d_clip_segment(a, b, view))
@@ -145,7 +146,7 @@ void note_edge(l3d_clip_vertex a, l3d_clip_vertex b, const l3d_dice_view& view,
     out.part.border.push_back(edge);
 }
 
-/// A side of a piece's grid: a row of vertices, and the edge along which it lies.
+/// Fills the slit along a side of a piece's grid. The side is a row of vertices, along an edge.
 class closing_side {
 public:
     closing_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
@@ -195,7 +196,7 @@ private:
     /// A vertex of the row or a point of the edge, and its parameter.
     struct slit_corner {
         slit_place at;
-        std::size_t index; ///< the grid's vertex, or the edge's point
+        std::size_t index; ///< the index of the grid's vertex or of the edge's point
         bool on_edge;
         double along;
     };
@@ -208,7 +209,7 @@ private:
         return {{edge_.x()[j], edge_.y()[j]}, j, true, along};
     }
 
-    /// A corner with the row's level at its parameter.
+    /// A corner of a slit's triangle, with the row's shade level at the corner's parameter.
     struct row_point {
         std::int32_t x, y;
         float inv_w, level;
@@ -217,7 +218,7 @@ private:
         l3d_micro_vertex lit(float a, float b, float c) const { return {x, y, inv_w, {a, b, c}}; }
     };
 
-    /// Gives a corner its level. It lies near the row's vertex `near`.
+    /// Gives a corner its shade level. The corner lies near the row's vertex `near`.
     row_point lit(const slit_corner& of, std::size_t near) const {
         const auto point = [&](float inv_w, float level) {
             return row_point{of.at.x, of.at.y, inv_w, level, of.along};
@@ -227,8 +228,8 @@ private:
         return point(edge_.inv_w()[of.index], piece_.has_levels ? level_at(of.along, near) : 0);
     }
 
-    /// Adds a triangle near the row's vertex `near`. Its corners get the row's light at their
-    /// parameters.
+    /// Adds a triangle near the row's vertex `near`. The triangle's corners get the row's light at
+    /// their parameters.
     void add(const row_point& a, const row_point& b, const row_point& c, std::size_t near) {
         const float seen = side_beside(near);
         if (piece_.has_levels) {
@@ -260,17 +261,17 @@ private:
             }
     }
 
-    /// The sign of the light beside vertex i of the row. It turns light to the side that the
-    /// neighbouring quad shows. That quad begins at the vertex, or ends there at the last vertex.
-    /// The turn of a slit's own triangle is chance.
+    /// The sign that turns the light beside vertex i of the row to the side that the neighbouring
+    /// quad shows. That quad begins at the vertex, or ends there at the last vertex. Whether a
+    /// slit's own triangle turns left or right is chance.
     float side_beside(std::size_t i) const {
         const int quad = static_cast<int>(std::min(i, parameters_.size() - 2));
         return along_u_ ? l3d_side_of_quad(grid_, side_ == 1 ? grid_.rows - 2 : 0, quad, side_)
                         : l3d_side_of_quad(grid_, quad, side_ == 3 ? grid_.columns - 2 : 0, side_);
     }
 
-    /// The place of a parameter in the row: two vertices, and the share of the way between them. A
-    /// parameter beyond an end counts as that end.
+    /// The place of a parameter in the row: two neighbouring vertices, and the share of the way
+    /// between them. A parameter beyond an end of the row counts as that end.
     struct place {
         std::size_t before, after;
         float part;
@@ -286,7 +287,7 @@ private:
         return {first_ + i * step_, first_ + (i + 1) * step_, static_cast<float>(part)};
     }
 
-    /// The row's level at a parameter: a parabola between two vertices.
+    /// The row's shade level at a parameter, by the parabola between two vertices.
     float level_at(double parameter, std::size_t near) const {
         const place at = place_of(parameter, near);
         const auto& level = grid_.normal[0];
@@ -314,8 +315,9 @@ private:
     const std::vector<double>& parameters_;
     double across_;
     std::size_t first_, step_, side_;
-    double per_t_, at_zero_; ///< the linear map from the edge's parameters to the side's; its
-                             ///< factors are powers of two
+    /// The linear map from the edge's parameters to the side's parameters. Its factors are powers
+    /// of two.
+    double per_t_, at_zero_;
 };
 
 } // namespace

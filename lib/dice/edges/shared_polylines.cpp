@@ -13,16 +13,17 @@
 
 namespace {
 
-/// A control point of a rational curve in the picture: x w, y w, w and 1, all times its weight.
+/// A control point of a rational curve in the picture: x w, y w, w and 1, all times the point's
+/// weight.
 using control_point = l3d_vector<double, 4>;
 
-/// The control points of a part of an edge.
+/// The control points in the picture of a part of an edge.
 struct image_curve {
     std::array<control_point, l3d_bpt_largest_degree + 1> points;
     std::size_t count = 0;
 
-    /// Halves the curve. It writes only points that count, since most edges have two or three of
-    /// the sixteen.
+    /// Halves the curve. Only points that count are written: most edges have two or three of the
+    /// sixteen.
     void halve(image_curve& low, image_curve& high) const {
         low.count = high.count = count;
         std::copy_n(points.begin(), count, high.points.begin());
@@ -53,8 +54,8 @@ public:
         by_place_ = std::sqrt(by_place_);
     }
 
-    /// Adds a part of an edge: as one chord, or by its halves. If a part is seen wholly, so are its
-    /// halves.
+    /// Adds a part of an edge: as one chord, or by its halves. `is_seen` says that all of the part
+    /// may be seen; then its halves need no test.
     void add(const image_curve& of, double from, double to, int halvings, bool is_seen) {
         constexpr int most_halvings = 24;
         is_seen = is_seen || all_is_seen(of);
@@ -98,10 +99,10 @@ private:
                            });
     }
 
-    /// Whether faces may be seen at a part of the edge between the near and the far plane. They end
-    /// within off_ of it, in space. Parts farther beside the picture than `farthest` are not looked
-    /// at: loose edges near the eye would get chords without end. That is as far as 256 of the
-    /// longest chords.
+    /// Whether faces may be seen at a part of the edge between the near and the far plane. Faces
+    /// end within off_ of the edge, in space. Parts farther beside the picture than `farthest`, 256
+    /// of the longest chords, count as unseen. Otherwise loose edges near the eye would get chords
+    /// without end.
     bool may_be_seen(const image_curve& of) const {
         constexpr double farthest = 256 * l3d_longest_shared_chord;
         const auto all = [&](const auto& is_out) {
@@ -128,8 +129,9 @@ private:
     }
 
     /// Bounds how far a part is from its chord. The result is infinite if the chord is too long or
-    /// the part not in front of the eye. Points of the part, and their 1 / w, are means of its
-    /// control points' with weights like w. Chords are linear in both.
+    /// the part is not in front of the eye. The places of the part's points, and their 1 / w, are
+    /// means of those of its control points, with weights in proportion to w. Chords are linear in
+    /// both.
     l3d_drawn_distance off_chord(const image_curve& of, bool is_seen) const {
         constexpr double infinite = std::numeric_limits<double>::infinity();
         const control_point &a = of.points[0], &b = of.points[of.count - 1];
@@ -238,15 +240,15 @@ l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
 
 namespace {
 
-/// Whether a triangle is drawn without area. Where borders have points of the edge, every other
-/// triangle is.
+/// Whether a triangle has no area when it is drawn. Where a border has the same points as the edge,
+/// every other triangle of the strip has none.
 bool covers_nothing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c) {
     return a.drawable && b.drawable && c.drawable &&
            l3d_detail::twice_area(a.dice.vertex, b.dice.vertex, c.dice.vertex) == 0;
 }
 
-/// Gives a point of a strip the parameters and the light of its border, at a share of the way along
-/// it.
+/// Gives a point of a strip the parameters and the light of the border, at a share of the way along
+/// the border.
 void light(const l3d_border_point& from, const l3d_border_point& to, double share, bool has_levels,
            l3d_dice_vertex& at) {
     const l3d_dice_vertex &a = from.at.dice, &b = to.at.dice;
@@ -260,13 +262,14 @@ void light(const l3d_border_point& from, const l3d_border_point& to, double shar
         l3d_make_unit(normal);
 }
 
-/// The share of the way along a border at which the edge has parameter t.
+/// The share of the way along a border that is beside the edge's point of parameter t.
 double share_at(double t, const l3d_border_point& from, const l3d_border_point& to) {
     const double part = to.t > from.t ? (t - from.t) / (to.t - from.t) : 0;
     return double{static_cast<float>(std::clamp(part, 0.0, 1.0))};
 }
 
-/// Adds a strip whose chords are near the edge, or that lies outside of the picture.
+/// Adds a strip that need not be cut: its chords are near the edge, or it lies outside of the
+/// picture.
 void add_uncut(const l3d_shared_polyline& line, const l3d_border_point& from,
                const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {
     const auto above = std::ranges::upper_bound(line.t, from.t);

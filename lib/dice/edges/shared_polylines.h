@@ -14,16 +14,16 @@
 #include <vector>
 
 /// A corner of a strip, in the picture and in space, for measuring how far the strip is from its
-/// edge. The place in the picture has z = 0. The place in space is in pixels times w. Clipping may
-/// cut the corner off.
+/// edge. The place in the picture has z = 0. The place in space is in pixels times w. The corner
+/// may lie where clipping cuts it off.
 struct l3d_strip_corner {
     l3d_vector<double, 3> picture, space;
 
     l3d_strip_corner(const l3d_clip_vertex& at, const l3d_dice_view& view);
 };
 
-/// The polyline at which all trimmed faces of an edge of a model end. It depends on the edge and
-/// the view alone.
+/// The polyline at which all trimmed faces at an edge of a model end, so that no gap shows between
+/// them. It depends on the edge and the view alone.
 ///
 /// In the picture and the margin around it, no chord is longer than l3d_longest_shared_chord, and
 /// the edge is within l3d_shared_chord_error() of its chords.
@@ -32,16 +32,16 @@ struct l3d_strip_corner {
 struct l3d_shared_polyline {
     std::vector<double> t; ///< the edge's parameters
     std::vector<l3d_clip_vertex> points;
-    std::vector<l3d_strip_corner> corners; ///< the points as they are drawn
-    std::vector<l3d_drawn_distance>
-        chords;        ///< how far the edge may be off each chord; infinite if unknown
+    std::vector<l3d_strip_corner> corners; ///< the same points, for measuring strips
+    /// How far the edge may be off each chord; infinite if unknown.
+    std::vector<l3d_drawn_distance> chords;
     double off_px = 0; ///< how far the edge is off its faces where it may be seen
 
     void make(const l3d_shared_edge& edge, const l3d_matrix<double>& to_image,
               const l3d_dice_view& view);
 };
 
-/// The depth w as far as which chords and strips are measured if they cross the near plane.
+/// The least w at which chords and strips that cross the near plane are measured.
 inline double l3d_measured_near(const l3d_dice_view& view) {
     return view.near / 2;
 }
@@ -52,30 +52,32 @@ inline double l3d_shared_chord_error(const l3d_dice_view& view) {
     return view.tolerance / 4;
 }
 
-/// A point of a face's own border. The `normal` of its vertex holds the light of the face.
+/// A point of a face's own border, beside an edge of the model. The `normal` of its vertex holds
+/// the light of the face.
 struct l3d_border_point {
     l3d_clip_vertex at;
-    double t = 0; ///< the parameter of the edge that the border follows
+    double t = 0; ///< the parameter of the point beside it on the edge
 };
 
-/// Makes a border point, which clipping can take, of a drawable vertex.
+/// Makes a border point of a drawable vertex. `t` is its parameter on the edge.
 l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
                                      const l3d_dice_view& view);
 
-/// Adds the strip: triangles between a part of a face's border and the part of the polyline beside
-/// it.
+/// Adds a strip to a piece: triangles between a part of a face's border and the part of the edge's
+/// polyline beside it. Strips close the gaps between faces that end at an edge.
 ///
-/// The strip has the polyline's points with parameters up to that of the border's end `to`. It
-/// begins at the polyline's last point at or before `from`. So parts of a border that share an end
-/// share a side of their strips there, whoever makes them. Triangles have the light of the border
-/// at the same parameter. With anti-aliasing, the polyline's chords join the part's border.
+/// The part of the border runs from `from` to `to`. The strip has the polyline's points from the
+/// last point at or before from.t up to to.t. So strips of parts of a border that share an end
+/// share a side there, whichever piece makes them. Triangles have the light of the border at the
+/// same parameter. With anti-aliasing, the polyline's chords join the border of piece.part.
 void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from,
                    const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece);
 
 /// Bounds how far any point of a strip that the picture may show is from its edge.
 ///
 /// The bound follows from the drawn corners alone, wherever these are (docs/NUMERICS.md, section
-/// 27). It is infinite if a corner is too near to the eye or a chord is of unknown distance.
+/// 27). It is infinite if a corner is too near to the eye, or if the distance of the edge from a
+/// chord is unknown.
 /// Shape: the strip lies between the border a b and the polyline's points `first` to `last`.
 l3d_drawn_distance l3d_strip_error(const l3d_shared_polyline& line, std::size_t first,
                                    std::size_t last, const l3d_clip_vertex& a,

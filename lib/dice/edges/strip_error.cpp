@@ -21,7 +21,7 @@ place nearest_to(const place& p, const place& from, const place& to) {
     return square > 0 ? from + way * std::clamp(l3d_dot(p - from, way) / square, 0.0, 1.0) : from;
 }
 
-/// Coordinates along a straight line, and two across it.
+/// Coordinates of places relative to a straight line: one along it, and two across it.
 class line_frame {
 public:
     line_frame(const place& from, const place& to) : from_(from), length_(l3d_length(to - from)) {
@@ -45,15 +45,16 @@ private:
     place axes_[3] = {{1.0, 0.0, 0.0}, {}, {}};
 };
 
-/// A strip, and the chords beside it. These begin or end at the polyline's points `first` to
-/// `last`, and the last chord ends at `end`.
+/// A strip, and the polyline's chords beside it. The chords begin or end at the polyline's points
+/// `first` to `last`, and the last chord ends at `end`.
 struct strip {
     const l3d_shared_polyline& line;
     std::size_t first, last, end;
     const l3d_clip_vertex &a, &b;
 };
 
-/// Finds, as bits, the sides of the visible region beyond which a corner lies.
+/// Finds the sides of the visible region beyond which a corner lies. The result has a bit for each
+/// side.
 unsigned sides_beyond(const l3d_clip_vertex& v, const l3d_image_box& window,
                       const l3d_dice_view& view) {
     const double x = v.h[0], y = v.h[1], w = v.h[2];
@@ -76,10 +77,10 @@ bool is_unseen(const strip& of, const l3d_dice_view& view) {
 /// Bounds how far points of a strip are from the polyline, in the picture or in space (NUMERICS,
 /// section 27, Distances of strips).
 ///
-/// The triangle before an inner point of the polyline is near the first chord. The others are near
-/// the part of the polyline between two places: those nearest to a and to b. Each of their points
-/// has a point of that part that is as far along the line between these places. Across that line,
-/// the two differ by no more than corners do.
+/// The triangle before an inner point of the polyline is near the first chord. The other triangles
+/// are near the part of the polyline between two places: the places nearest to a and to b. Each
+/// point of these triangles has a point of that part that is as far along the line between the two
+/// places. Across that line, the two points differ by no more than corners do.
 double width_of(const strip& of, const l3d_strip_corner& a, const l3d_strip_corner& b,
                 place l3d_strip_corner::*in) {
     const auto point = [&](std::size_t i) -> const place& { return of.line.corners[i].*in; };

@@ -21,14 +21,14 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The number of control points of a net; it has as many blocks.
+/// The number of control points of a net; a net has as many blocks.
 constexpr std::size_t points = 16;
 
 using floats = hn::CappedTag<float, points>;
 using float_lanes = hn::Vec<floats>;
 
 /// The length of a difference of homogeneous points as the picture shows it, for one block a lane.
-/// It computes the same as seen_in of step_bound.cpp.
+/// Its result is that of seen_in in step_bound.cpp.
 struct seen_norm {
     float_lanes x, y, radius;
 
@@ -40,7 +40,7 @@ struct seen_norm {
     }
 };
 
-/// The largest norm of one kind of differences, in the picture and of w.
+/// The largest norms of one kind of differences, for one block a lane: in the picture, and of w.
 struct largest_of {
     float_lanes image, depth;
 
@@ -51,7 +51,7 @@ struct largest_of {
     }
 };
 
-/// Loads lanes from p + i, but gives each group of four lanes the group's element number `of`.
+/// Loads lanes from p + i, then copies element `of` of each group of four lanes to the whole group.
 template <int of> HWY_ATTR HWY_INLINE float_lanes one_of_four(const float* p, std::size_t i) {
 #if HWY_TARGET == HWY_SCALAR
     return hn::Load(floats(), p + i / 4 * 4 + of);
@@ -69,13 +69,13 @@ HWY_ATTR HWY_INLINE float_lanes repeated(const float* p, [[maybe_unused]] std::s
 #endif
 }
 
-/// The nets of the blocks: [component][row][column][lane].
+/// The control nets of a net's sixteen blocks, a block a lane: [component][row][column][lane].
 struct block_nets {
     alignas(64) float at[3][4][4][points];
 };
 
-/// Cuts a net into the blocks' nets: first along u, in lanes that stand for rows of the net and
-/// u-strips, then along v.
+/// Cuts a net into the nets of its blocks. The first cuts are along u, with a row of the net and a
+/// u-strip in each lane. The others are along v.
 /// Shape: net is [component][4 * row + column].
 HWY_ATTR void cut(const float (&net)[3][points], block_nets& blocks) {
     const floats d;
@@ -111,8 +111,8 @@ HWY_ATTR void cut(const float (&net)[3][points], block_nets& blocks) {
             }
 }
 
-/// The boxes of blocks from a lane on, relative to the net's centre. Also the largest gaps between
-/// neighbouring control points.
+/// The boxes of blocks in the picture, from some lane on, relative to the net's centre. gap_u and
+/// gap_v are the largest distances of neighbouring control points along u and v, in x or in y.
 struct lane_boxes {
     float_lanes left, top, right, bottom, least_w, gap_u, gap_v;
 };

@@ -24,27 +24,27 @@ namespace hn = hwy::HWY_NAMESPACE;
 using doubles = hn::CappedTag<double, points>;
 
 /// Bounds what the rounding of floats adds to the norm of a second or mixed difference d. In the
-/// image, that norm is |d (x, y) - X0 d w| + r |d w|.
+/// image, the norm is |d (x, y) - X0 d w| + r |d w|.
 /// Units: the largest w times the reach of the centred box.
 ///
 /// The net is rounded, then summed up twice from four products: 9 roundings of 2^-24, of numbers up
 /// to 1 in these units. A difference has 4 of these points and 4 roundings of its own: 40 in all.
-/// With X0 d w there are 80 in x and in y, and sqrt(2) times 80 for both together. The error of r
-/// |d w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. `relative` covers the
-/// eight operations of the norm.
+/// With X0 d w there are 80 roundings in x and in y, and sqrt(2) times 80 for both together. The
+/// error of r |d w| is 40 times r, and r is at most sqrt(2) times the reach: 170 in all. `relative`
+/// covers the eight operations of the norm.
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
-/// The same bound for third and fourth differences of a whole net. They are made in doubles and
-/// rounded to floats once. In these units the differences of x and y are at most 16. Those of w,
-/// which is positive, are at most 8. Their rounding is 16 + 8, that of X0 d w is 8, and that of X0
-/// is 8. In the image norm that is sqrt(2) (16 + 8 + 8 + 8) = 57.
+/// The same bound for third and fourth differences of a whole net. These are made in doubles and
+/// rounded to floats once. In these units the differences of x and y are at most 16. The
+/// differences of w, which is positive, are at most 8. Their rounding is 16 + 8; the rounding of X0
+/// d w is 8, and that of X0 is 8. In the image norm the sum is sqrt(2) (16 + 8 + 8 + 8) = 57.
 constexpr float mixed_rounding = 64 * 0x1p-24F;
 
 /// The same bound for second and mixed differences of w alone.
 constexpr float depth_rounding = 40 * 0x1p-24F;
 
 /// Bounds the rounding of a projected point, relative to the reach of the centred box. There are 9
-/// roundings in x and in w, and two of the quotient.
+/// roundings of x, 9 of w, and two of the quotient.
 constexpr float projected_rounding = 20 * 0x1p-24F;
 
 bool section_leaves(const double* net, const l3d_image_section& cut) {
@@ -56,8 +56,8 @@ bool section_leaves(const double* net, const l3d_image_section& cut) {
     return all;
 }
 
-/// Measures the box and the depths of the whole net, and sets `ordinary`. Comparisons are false for
-/// NaN.
+/// Measures the box and the depths of the whole net, and sets `ordinary`. For NaN all comparisons
+/// are false, so the net is not ordinary.
 HWY_ATTR void measure(const double* net, const l3d_dice_view& view, lane_bounds& out) {
     const doubles d;
     auto left = hn::Set(d, HUGE_VAL), top = left, nearest = left;
@@ -120,23 +120,24 @@ HWY_ATTR HWY_INLINE void put(float_lanes value, l3d_block_needs::per_block& out,
         out[lane + i] = static_cast<double>(numbers[i]);
 }
 
-/// The largest |x' / w| or |y' / w| of the centred net.
+/// The reach: the largest |x' / w| or |y' / w| of the centred net.
 double reach_of(const lane_bounds& of) {
     const double x = of.net.x, y = of.net.y;
     return std::max({x - of.hull.left, of.hull.right - x, y - of.hull.top, of.hull.bottom - y});
 }
 
-/// A block needs bounds of depth, too, if the width and height of its image box add up to less than
-/// this. See l3d_needs_of; 2.83 > 2 sqrt(2).
+/// The size below which a block needs bounds of depth, too: the sum of the width and height of its
+/// image box. See l3d_needs_of; 2.83 > 2 sqrt(2).
 double depth_matters_below(const l3d_dice_view& view, bool balanced) {
     return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
 }
 
-/// All that bounds of blocks depend on besides their nets. Places are relative to the net's centre.
+/// All that bounds of blocks depend on, besides the blocks' nets. Places are relative to the net's
+/// centre.
 struct block_surroundings {
-    const l3d_image_box& window; ///< the largest box that is seen
+    const l3d_image_box& window; ///< the largest box that may be seen
     float reach;                 ///< largest |x' / w| or |y' / w|
-    float grown_by;              ///< how far vertices may lie beyond the net's box
+    float grown_by;              ///< how far drawn vertices may lie beyond the net's box
     float deep_below;            ///< see depth_matters_below
     float most_w;
 };
@@ -195,7 +196,7 @@ HWY_ATTR HWY_INLINE void bound_lanes(const block_nets& blocks, std::size_t lane,
     put(hn::IfThenElseZero(visible, hn::Mul(per_gap, box.gap_v)), needs.least_v, lane);
 }
 
-/// The image norm for the visible part of a net.
+/// The norm of differences in the picture, for the visible part of a net.
 HWY_ATTR seen_norm norm_of(const l3d_image_box& seen, const centred_net& net) {
     const floats d;
     const double width = seen.width(), height = seen.height();
@@ -216,7 +217,7 @@ HWY_ATTR HWY_INLINE void norms_of(const float (&at)[3][Count], const seen_norm& 
     }
 }
 
-/// Mixed third and fourth differences of a net, side by side.
+/// The mixed third and fourth differences of a net, side by side.
 struct mixed_differences {
     static constexpr std::size_t uuv = 0, uvv = 6, uuvv = 12, end = 16;
     alignas(64) float at[3][end];
@@ -243,8 +244,8 @@ struct mixed_differences {
     }
 };
 
-/// Bounds the mixed derivatives that count where vertices are balanced, over the whole net, by the
-/// blocks' parameters.
+/// Bounds the mixed third and fourth derivatives over the whole net, by the blocks' parameters.
+/// They count only where vertices are balanced.
 HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
     out.needs.uuv = out.needs.uvv = out.needs.uuvv = 0;
@@ -293,12 +294,13 @@ HWY_ATTR void bound_blocks(const l3d_dice_view& view, lane_bounds& out) {
     bound_mixed(view, out);
 }
 
-/// Differences of a whole net: 8 second differences along u, 8 along v, and 9 mixed ones.
+/// The differences of a whole net: 8 second differences along u, 8 along v, and 9 mixed
+/// differences.
 struct net_differences {
     static constexpr std::size_t along_u = 0, along_v = 8, mixed = 16, end = 25, room = 32;
     alignas(64) float at[3][room];
 
-    /// Differences are taken of doubles, then scaled and rounded to floats.
+    /// Takes differences of doubles, then scales them and rounds them to floats.
     HWY_ATTR net_differences(const centred_net& net, double scale) {
         const hn::CappedTag<double, 4> d;
         const hn::Rebind<float, decltype(d)> df;
@@ -331,8 +333,8 @@ struct net_differences {
     }
 };
 
-/// Forgets the needs of a former net. Only those of the first block are cleared, since nobody asks
-/// for others. Clearing all takes as long as finding the needs of one block.
+/// Forgets the needs of a former net. Only the needs of the first block are cleared, since no other
+/// is read. Clearing all would take as long as finding the needs of one block.
 void begin_one_block(l3d_block_needs& needs) {
     needs.strips = 1;
     needs.keeps_depth = needs.keeps_bends = needs.balanced = false;

@@ -11,7 +11,8 @@
 namespace l3d_detail {
 
 /// A net moved so that a point (X, Y) of the picture becomes its origin: x' = x - X w, y' = y - Y
-/// w. So x' / w is as small as the patch, wherever it lies in the picture, and so is all rounding.
+/// w. So x' / w is as small as the patch, wherever the patch lies in the picture. Rounding is as
+/// small, too.
 ///
 /// Shape: [component][4 * row + column].
 struct centred_net {
@@ -20,22 +21,21 @@ struct centred_net {
     double largest_xy = 0;     ///< largest |x'|, |y'| of the points
 };
 
-/// The facts about a patch from which its steps are chosen and the errors of its vertices are
-/// bounded.
+/// The facts about a patch from which l3d_lane_dicer chooses steps and bounds errors of vertices.
 struct lane_bounds {
     /// Whether the patch lies between the near and the far plane, within the guard band and on the
     /// kept side of a section. If not, nothing else is valid.
     bool ordinary = false;
-    l3d_image_box hull,
-        seen; ///< boxes of the net and of its visible part, in pixels from the picture's centre
+    /// The boxes of the net and of its visible part, in pixels from the picture's centre.
+    l3d_image_box hull, seen;
     double least_w = 0, most_w = 0;
     centred_net net;
-    l3d_block_needs needs; ///< needs of one block if the net is small, else of sixteen
+    l3d_block_needs needs; ///< needs of one block or of sixteen (l3d_is_one_block)
 };
 
-/// Finds the needs of a patch, its blocks in lanes. The slow twin is l3d_needs_of. The needs found
-/// here exceed the twin's needs by at most the rounding of floats, so they are bounds, too.
-/// Cost: at most that of one block in scalar code.
+/// Finds the needs of a patch, with its blocks in lanes. The slow twin is l3d_needs_of. The needs
+/// found here exceed the twin's needs by at most the rounding of floats, so they are bounds, too.
+/// Cost: at most the cost of one block in scalar code.
 void bounds_in_lanes(const l3d_image_patch& patch, const l3d_dice_view& view, lane_bounds& out);
 
 } // namespace l3d_detail

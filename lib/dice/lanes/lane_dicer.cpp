@@ -18,14 +18,14 @@ namespace {
 using l3d_detail::lane_register;
 
 /// Bounds the rounding of the doubles from which columns start, relative to the largest centred
-/// coordinate. Power coefficients of a bicubic add up to at most 27^2 times its largest control
-/// value. Some 25 roundings follow each other: centring, differences of differences, Horner's
-/// scheme in u, balance and the weights of forward differences. 25 * 27^2 < 2^15.
+/// coordinate. The power coefficients of a bicubic add up to at most 27^2 times its largest control
+/// value. Some 25 roundings follow each other: of centring, of differences of differences, of
+/// Horner's scheme in u, of balancing and of the weights of forward differences. 25 * 27^2 < 2^15.
 constexpr double start_rounding = 0x1p15 * 0x1p-53;
 
 /// Bounds the error of walking l3d_most_steps_whole steps in T, for coordinates up to `largest`.
-/// First to third differences of control values are at most 2, 4 and 8 times that. Where there are
-/// more strips, they shrink.
+/// First to third differences of control values are at most 2, 4 and 8 times `largest`. With more
+/// strips, differences in a strip are smaller.
 template <class T> double walking_error(double largest, int strips) {
     const double s = strips;
     return l3d_forward_difference_error<T>(l3d_most_steps_whole, largest, 2 * largest / s,
@@ -51,8 +51,8 @@ template <class T> double l3d_lane_dicer<T>::walked_w(const l3d_dice_view& view)
     return std::max({least, bounds_.most_w - view.w_middle, view.w_middle - bounds_.least_w});
 }
 
-/// Bounds the error of vertices in pixels, if registers err by walk_xy and walk_w after the last
-/// step.
+/// Bounds the error of vertices in pixels, if the registers of x, y and of w err by walk_xy and
+/// walk_w after the last step.
 template <class T>
 double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy, double walk_w,
                                        double snap_error) const {
@@ -80,7 +80,7 @@ double l3d_lane_dicer<T>::vertex_error(const l3d_dice_view& view, double walk_xy
                             bounds_.least_w - accuracy.error_w);
 }
 
-/// Chooses the registers and their units. Returns false if none is exact enough.
+/// Chooses the type of registers and their units. Returns false if no type is exact enough.
 template <class T> bool l3d_lane_dicer<T>::choose_registers(const l3d_dice_view& view) {
     const l3d_detail::centred_net& net = bounds_.net;
     const int strips = bounds_.needs.strips;
@@ -166,8 +166,8 @@ template <class T> void l3d_lane_dicer<T>::plan_steps(const l3d_dice_view& view)
     plan_ = l3d_plan_steps(bounds_.needs, view.chord_budget(vertex_error_), kind_);
 }
 
-/// Adds the error of folded quads to the plan's, and tells whether the sum is within the budget. It
-/// looks for them only if the plan has no room for fans everywhere.
+/// Adds the error of folded quads to the error of the plan, and tells whether the sum is within the
+/// budget. Folded quads are looked for only if the budget would not allow every quad to be folded.
 template <class T>
 bool l3d_lane_dicer<T>::fits_with_folds(const l3d_surface_part& part, const l3d_dice_view& view) {
     const double budget = view.chord_budget(vertex_error_);
@@ -191,7 +191,7 @@ l3d_lane_dicer<T>::certificate(const l3d_patch_part& piece, const l3d_dice_view&
     return result;
 }
 
-/// Walks places and depths of the planned grid.
+/// Walks the planned grid: writes the places and depths of its vertices.
 template <class T> void l3d_lane_dicer<T>::walk(const l3d_dice_view& view, l3d_surface_part& part) {
     // First, the parameters of columns and rows, and the size of the grid.
     u_.fill(plan_.strips, plan_.nu, plan_.balanced);

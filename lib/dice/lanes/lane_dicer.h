@@ -23,42 +23,42 @@
 /// Cost:  no allocation, unless `out` has to be larger than ever before.
 template <class T> class l3d_lane_dicer {
 public:
-    /// Dices the patch in one piece: makes its grid and fills its slits. Nothing is left out.
+    /// Dices a patch in one piece: makes its grid and fills its slits. Nothing is left out.
     ///
     /// Shape:   edges in the order of l3d_edge_polylines::outer(), made for this net and view.
     /// Expects: tolerance > 0, near > 0.
     /// Errors:  returns false, with nothing written, if the patch is not ordinary. An ordinary
-    ///          patch reaches neither the near or the far plane nor out of the guard band. Neither
-    ///          the patch nor an edge needs more than 32 steps in a strip. A walk in T is exact
-    ///          enough.
+    ///          patch reaches neither the near nor the far plane, and stays within the guard band.
+    ///          Neither the patch nor an edge needs more than 32 steps in a strip. Walking it in T
+    ///          is exact enough.
     bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts, const l3d_bend_bounds& bends = {});
 
-    /// Plans the steps of a patch or piece. The vertices of its edges err by `edge_vertex`. fill()
-    /// cannot take a plan with more than 32 steps a strip.
-    /// Lives:  until the next one is planned.
+    /// Plans the steps of a patch or piece. `edge_vertex` is the error of the vertices of its
+    /// edges. fill() cannot take a plan with more than 32 steps a strip.
+    /// Lives:  until the next plan is made.
     /// Errors: null if the patch is not ordinary, or no walk is exact enough.
     const l3d_step_plan* plan(const l3d_patch_part& piece, const l3d_dice_view& view,
                               double edge_vertex, const l3d_bend_bounds& bends);
 
-    /// The proven bounds of depth and shade for the last plan. They include the rounding of
-    /// vertices.
+    /// The proven bounds of depth and shade for the piece of the last plan. They include the
+    /// rounding of vertices.
     l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
                                         const l3d_bend_bounds& bends,
                                         const l3d_diced_piece& out) const;
 
-    /// The error of depth of the slits' vertices along the sides of the last plan.
-    /// Units: pixels at their depth.
+    /// The error of depth of the slits' vertices, along the sides of the piece of the last plan.
+    /// Units: pixels at the vertices' depth.
     double row_depth_error() const { return row_depth_error_; }
 
-    /// Makes the grid of the last plan, its parameters and its bound.
-    /// Expects: at most 32 steps a strip were planned, for the piece's own net.
+    /// Makes the grid for the last plan, with its parameters and its bound.
+    /// Expects: the last plan was made for this piece, and has at most 32 steps a strip.
     void fill(const l3d_patch_part& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_diced_piece& out);
 
     /// Bounds what rounding of vertices adds to the chord error of slits along the sides of the
-    /// last plan. Units: pixels.
+    /// last plan's piece. Units: pixels.
     double row_error() const { return row_error_; }
 
 private:
@@ -72,12 +72,12 @@ private:
 
     l3d_detail::lane_bounds bounds_;
     l3d_step_plan plan_;
-    l3d_quad_kind kind_ = l3d_quad_kind::whole; ///< that of the plan
+    l3d_quad_kind kind_ = l3d_quad_kind::whole; ///< the kind of quads in the plan
     l3d_detail::lane_parameters u_, v_;
     l3d_detail::lane_register register_ = l3d_detail::lane_register::float_32;
     double register_xy_ = 1, register_w_ = 1;
     double vertex_error_ = 0, row_error_ = 0, depth_error_ = 0, row_depth_error_ = 0, walk_w_ = 0;
-    l3d_detail::vertex_numbers numbers_; ///< kept for its memory
+    l3d_detail::vertex_numbers numbers_; ///< working memory, kept between patches
 };
 
 #endif

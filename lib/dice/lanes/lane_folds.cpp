@@ -26,7 +26,7 @@ namespace {
 /// each difference that exceeds 2^24.
 constexpr float rounding = 0x1p-21F;
 
-/// A side of a quad, from corner to corner.
+/// The sides of quads as vectors from corner to corner, in lanes.
 struct side {
     float_vec x, y;
 
@@ -35,7 +35,8 @@ struct side {
     }
 };
 
-/// The range of a quad's four turns, widened by rounding.
+/// The range of the four turns at a quad's corners, widened by rounding. A quad whose range holds
+/// both signs may be folded.
 struct turn_range {
     float_vec least, most;
 
@@ -51,7 +52,7 @@ struct turn_range {
     }
 };
 
-/// Calls visit(column) for the quads of a row that may turn both ways.
+/// Calls visit(column) for the quads of a row that may be folded.
 template <class Visit>
 HWY_INLINE void for_folded(const l3d_micro_grid& grid, int row, const Visit& visit) {
     const ints d;
@@ -86,7 +87,7 @@ HWY_INLINE void for_folded(const l3d_micro_grid& grid, int row, const Visit& vis
     }
 }
 
-/// Measures the error of a quad's fan; 0 if the quad is not folded.
+/// Measures the error of drawing a quad as a fan of triangles; 0 if the quad is not folded.
 /// Shape: corners p00, p10, p01, p11.
 double fan_error(const std::array<l3d_micro_vertex, 4>& p, bool is_parallel) {
     struct place {
@@ -120,7 +121,7 @@ double fan_error(const std::array<l3d_micro_vertex, 4>& p, bool is_parallel) {
     return seen / (16 * l3d_subpixel_one * *std::ranges::min_element(w));
 }
 
-/// The strip that a row or column of quads belongs to.
+/// The strip to which a row or column of quads belongs.
 std::size_t strip_of(const l3d_block_starts& starts, int quad) {
     std::size_t strip = 0;
     while (quad >= starts.first[strip + 1])

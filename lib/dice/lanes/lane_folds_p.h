@@ -10,9 +10,10 @@ namespace l3d_detail {
 
 /// Finds the largest error of a grid's folded quads; 0 if none is folded.
 ///
-/// A folded quad is drawn as four triangles around its centre. They differ from the bilinear piece
-/// by at most a sixteenth of the corners' mixed difference, as seen from the quad's own places.
-/// Plans leave this term out, since few quads fold. NUMERICS, section 3.
+/// A folded quad is drawn as four triangles around its centre. The triangles differ from the
+/// bilinear surface between the corners by at most a sixteenth of the corners' mixed difference.
+/// This difference is seen from the quad's own places. Plans of kind `convex` leave this term out,
+/// since few quads fold. NUMERICS, section 3.
 /// Units: pixels.
 /// Shape: `errors` has the errors of blocks without folded quads, as l3d_step_plan::errors.
 /// Cost:  some eight instructions a quad with eight lanes.

@@ -26,7 +26,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, lane_columns>;
 
-/// Values of the Bernstein polynomials of degree 5: [polynomial][parameter].
+/// Values of the Bernstein polynomials of degree 5 at a grid's parameters: [polynomial][parameter].
 struct quintic_weights {
     static constexpr std::size_t order = 6;
     alignas(64) float at[order][lane_parameters::room];
@@ -82,7 +82,7 @@ HWY_ATTR HWY_INLINE normal_lanes direction_of(const std::array<float, 3>& v) {
     return {hn::Set(d, v[0]), hn::Set(d, v[1]), hn::Set(d, v[2])};
 }
 
-/// 1 / length, or 0 where the normal may be rounding alone.
+/// 1 / length of normals, or 0 where a normal may be rounding alone.
 HWY_ATTR HWY_INLINE float_lanes over_length(const normal_lanes& n) {
     const floats d;
     const auto square = dot(n, n), rounding = hn::Set(d, normal_rounding * normal_rounding);
@@ -90,7 +90,7 @@ HWY_ATTR HWY_INLINE float_lanes over_length(const normal_lanes& n) {
                               hn::Div(hn::Set(d, 1.0F), hn::Sqrt(square)));
 }
 
-/// A vector of columns of a normal net: Bernstein coefficients along v.
+/// The normals along a vector of columns of a grid: Bernstein coefficients along v.
 struct net_columns {
     static constexpr std::size_t order = quintic_weights::order;
     alignas(64) float at[3][order][lane_columns];
@@ -122,15 +122,15 @@ struct net_columns {
     }
 };
 
-/// The rays from the eye to vertices of a grid.
+/// The rays from the eye to vertices of a grid, by which normals are turned to the eye.
 class eye_rays {
 public:
     HWY_ATTR HWY_INLINE explicit eye_rays(const l3d_shading& shading)
         : ray_(direction_of(shading.ray)), right_(direction_of(shading.ray_right)),
           down_(direction_of(shading.ray_down)) {}
 
-    /// How far normals point away from the eye. It does the operations of l3d_away_from_eye one by
-    /// one, so that results agree bit for bit.
+    /// How far normals point away from the eye. The operations are those of l3d_away_from_eye in
+    /// the same order, so that results agree bit for bit.
     HWY_ATTR HWY_INLINE float_lanes away(const normal_lanes& n, const l3d_micro_grid& grid,
                                          std::size_t at) const {
         const floats d;
@@ -150,7 +150,8 @@ private:
     normal_lanes ray_, right_, down_;
 };
 
-/// Calls the writer for each vertex: vector by vector of columns, from top to bottom.
+/// Calls the writer for all vertices of a grid: one vector of columns after another, each from top
+/// to bottom.
 template <class Writer>
 HWY_ATTR HWY_INLINE void for_vertices(const lane_parameters& u, const lane_parameters& v,
                                       const l3d_micro_grid& grid, Writer& writer) {
@@ -192,7 +193,7 @@ HWY_ATTR void normals(const l3d_normal_net::float_net& net, const lane_parameter
     for_vertices(u, v, grid, writer);
 }
 
-/// Writes levels of vertices, and levels of the middles of sides in place of bends.
+/// Writes the shade levels of vertices, and the levels of the middles of sides in place of bends.
 struct level_writer {
     const l3d_normal_net::float_net& net;
     const quintic_weights &in_u, &in_v, &beside_u, &beside_v;
@@ -221,8 +222,8 @@ struct level_writer {
     }
 };
 
-/// Writes the same for a grid of so few columns that one vector holds them and the middles behind
-/// them.
+/// Writes what level_writer writes, for a grid of few columns. One vector holds the columns, and
+/// the middles between them behind them.
 HWY_ATTR void levels_of_few(const l3d_normal_net::float_net& net, const lane_parameters& u,
                             const lane_parameters& middle_u, const quintic_weights& in_v,
                             const quintic_weights& beside_v, std::size_t rows, const eye_rays& rays,

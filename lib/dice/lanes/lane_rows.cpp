@@ -23,16 +23,18 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 using doubles = hn::CappedTag<double, lane_columns>;
 
-/// The numbers from which a vector of columns starts. `point` has the first point of each strip and
-/// the last strip's end: [strip][coordinate][column]. `at` has the four registers of each
-/// coordinate, for the balanced curve in each strip: [strip][4 * coordinate + difference][column].
+/// The numbers with which the walk of a vector of columns starts. `point` has the first point of
+/// each strip and the last strip's end: [strip][coordinate][column]. `at` has the four registers of
+/// each coordinate, for the curve in each strip, balanced if the walk is: [strip][4 * coordinate +
+/// difference][column].
 template <class Number> struct column_starts {
     static constexpr std::size_t registers = 12;
     alignas(64) Number point[5][3][lane_columns];
     alignas(64) Number at[4][registers][lane_columns];
 };
 
-/// Stores a start in the type of the registers. Fixed-point registers hold it times `scale`.
+/// Stores numbers with which columns start in the type of the registers. Fixed-point registers hold
+/// the numbers times `scale`.
 HWY_ATTR HWY_INLINE void put(hn::Vec<doubles> value, double, float* out) {
     const hn::Rebind<float, doubles> d;
     hn::Store(hn::DemoteTo(d, value), d, out);
@@ -60,7 +62,7 @@ template <class D, class V> HWY_ATTR HWY_INLINE auto as_float(D, V value) {
         return hn::ConvertTo(float_tag<D>(), value);
 }
 
-/// Rounds to the nearest integers of 32 bits.
+/// Rounds numbers of all lanes to the nearest integers of 32 bits.
 template <class D> HWY_ATTR HWY_INLINE auto snapped(D, hn::Vec<D> value) {
     if constexpr (sizeof(hn::TFromD<D>) == 4)
         return hn::NearestInt(value);
@@ -95,11 +97,11 @@ HWY_ATTR power_form powers_of(const centred_net& net, double w_middle) {
     return result;
 }
 
-/// The weights that make forward differences of a0 + a1 t + a2 t^2 + a3 t^3 at t with step h. These
-/// are f(t), d1 . (a1, a2, a3), d2 . (a2, a3) and d3 a3.
+/// The weights that make forward differences of f(t) = a0 + a1 t + a2 t^2 + a3 t^3 at t with step
+/// h. The differences are f(t), d1 . (a1, a2, a3), d2 . (a2, a3) and d3 a3.
 struct difference_weights {
     double t, d1[3], d2[2], d3;
-    double moved; ///< see lane_parameters
+    double moved; ///< the factor lane_parameters::moved of these columns
 
     difference_weights(double at, double h, double moved_by) : t(at), moved(moved_by) {
         const double h2 = h * h, h3 = h2 * h;
@@ -112,7 +114,7 @@ struct difference_weights {
     }
 };
 
-/// Finds the starts of one vector of columns, from `column` + i on, for all strips.
+/// Finds the starts of the columns from `column` + i on, one vector of columns, for all strips.
 template <class Number>
 HWY_ATTR HWY_INLINE void start(const power_form& powers, const lane_walk& walk,
                                const difference_weights* weights, std::size_t column, std::size_t i,

@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// The number of columns or rows that are computed at a time. Behind the last one, arrays hold
-/// finite numbers.
+/// The number of columns or rows that are computed at a time. Behind the last column or row, arrays
+/// hold finite numbers.
 inline constexpr std::size_t lane_columns = 16;
 
 /// The parameters of a grid of at most 4 strips along one direction.
@@ -20,18 +20,20 @@ struct lane_parameters {
     static constexpr std::size_t most = 4 * l3d_most_steps_whole + 1;
     static constexpr std::size_t room = (most + lane_columns - 1) / lane_columns * lane_columns;
     alignas(64) double at[room];
-    alignas(
-        64) double moved[room]; ///< factor of the second derivative by which balance moves vertices
+    /// The factor of the second derivative by which balancing moves vertices, for each parameter.
+    alignas(64) double moved[room];
     std::size_t count = 0;
 
-    /// The count, rounded up to whole vectors of lane_columns.
+    /// The count of parameters, rounded up to whole vectors of lane_columns.
     std::size_t padded() const { return (count + lane_columns - 1) / lane_columns * lane_columns; }
 
-    /// The middles between neighbouring parameters. The last one is the last parameter itself.
+    /// The middles between neighbouring parameters. In place of the last middle, the result has the
+    /// last parameter.
     lane_parameters middles() const;
 
-    /// Sets the parameters of each strip: i / n of its length, for its n steps. Also sets their
-    /// `moved` if balanced. The last parameter, and all behind it, are 1.
+    /// Sets the parameters of each strip, which divide it into its n steps of equal length. Also
+    /// sets `moved`, which is 0 unless `balanced`. The last parameter is 1, and so are all numbers
+    /// behind it.
     void fill(int strips, const std::array<int, 4>& steps, bool balanced);
 
     /// Maps parameters from [0, 1] to [low, high].
@@ -47,18 +49,21 @@ struct lane_walk {
     const lane_parameters& u;
     int strips;
     bool balanced;
-    std::array<int, 4> rows; ///< steps of each strip along v
-    std::int32_t origin_x,
-        origin_y; ///< place of x' / w' = 0 in the picture, in sub-pixels from its corner
-    double register_xy = 1, register_w = 1; ///< the unit of the registers: a power of two
+    std::array<int, 4> rows; ///< number of steps of each strip along v
+    /// The place of the centred net's origin in the picture, in sub-pixels from the picture's
+    /// corner.
+    std::int32_t origin_x, origin_y;
+    /// The number that stands for 1 in registers: a power of two.
+    double register_xy = 1, register_w = 1;
     float depth_scale = 1;
-    /// In a parallel projection, the w that registers leave out, and how much depth changes for a
-    /// unit of w. Both are 0 in perspective.
+    /// In a parallel projection, w_middle is the w that registers leave out, and depth_slope is how
+    /// much depth changes for a unit of w. Both are 0 in perspective.
     double w_middle = 0, depth_slope = 0;
 };
 
-/// Walks all columns by forward differences, projects and snaps their points, and writes them. At
-/// each strip, each column starts exactly, from a double. The slow twin is l3d_strip_walker.
+/// Walks all columns by forward differences, projects and snaps their points, and writes these to
+/// the grid. At the beginning of each strip, each column starts exactly, from a double. The slow
+/// twin is l3d_strip_walker.
 /// Expects: the grid has as many columns and rows as there are parameters; every point is in the
 ///          guard band.
 /// Cost:    9 additions a column and step, one division and a few products a vertex.

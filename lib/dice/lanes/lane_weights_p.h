@@ -11,9 +11,10 @@ namespace l3d_detail {
 /// The weight of a cubic's control point `from` in control point `to` of its part on [strip / 4,
 /// (strip + 1) / 4].
 ///
-/// A control point of the part is a value of the cubic's blossom. `to` of the three arguments are
-/// the part's upper end, the others its lower end. De Casteljau's scheme computes it, with another
-/// parameter at each level. The weight is a multiple of 1/64, so it is exact in a float.
+/// A control point of the part is a value of the cubic's blossom. `to` of the blossom's three
+/// arguments are the part's upper end, the others its lower end. De Casteljau's scheme computes the
+/// value, with one argument as the parameter of each step. The weight is a multiple of 1/64, so it
+/// is exact in a float.
 /// Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
 constexpr float quarter_weight(int strip, int to, int from) {
     std::array<double, 4> p{};
@@ -26,7 +27,8 @@ constexpr float quarter_weight(int strip, int to, int from) {
     return static_cast<float>(p[0]);
 }
 
-/// The weights of all blocks. Lane 4 * b + a is the block in u-strip a and v-strip b.
+/// The weights quarter_weight for all blocks, laid out for lanes. Lane 4 * b + a is the block in
+/// u-strip a and v-strip b.
 struct quarter_weights {
     static constexpr std::size_t lanes = 16;
     alignas(16) float u[4][4][4];     ///< [to][from][a]

@@ -15,12 +15,13 @@
 #include <map>
 #include <span>
 
-/// Finds the outline pixels of a frame. It gathers the frame's surfaces, and searches their
-/// outlines when all is drawn (NUMERICS, section 9, Outlines).
+/// Finds the outline pixels of a frame: those in which an error of the drawn outline may change the
+/// visible surface. It gathers the frame's surfaces, and searches their outlines when all surfaces
+/// are drawn (NUMERICS, section 9, Outlines).
 ///
 /// Lives: borrows the scene from begin to finish.
-/// Cost:  36 bytes a pixel. All is drawn once more, on one thread. l3d_outline_search looks at all
-///        patches of the scene, also at those that cover no pixel.
+/// Cost:  36 bytes a pixel. All surfaces are drawn once more, on one thread. l3d_outline_search
+///        looks at all patches of the scene, also at patches that cover no pixel.
 class l3d_frame_outlines {
 public:
     /// Starts a frame.
@@ -35,8 +36,8 @@ public:
     void add(const l3d_placed_patch& patch, std::span<const l3d_diced_piece> pieces);
 
     /// Finds all outlines.
-    /// Units: bounds in pixels; `near` is the farthest near plane of a patch in the view's w, or 0
-    ///        (l3d_dice_counts::near_z).
+    /// Units: bounds in pixels; `near` is in the view's w, as l3d_dice_counts::near_z, or 0 for the
+    ///        view's near plane.
     void finish(double bound_px, double depth_bound_px, double near);
 
     /// The outlines of the last frame that was finished.
@@ -49,8 +50,8 @@ private:
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
     double focal_ = 1, depth_by_pixel_ = 0;
-    std::map<const void*, l3d_patch_neighbours>
-        sides_; ///< sides of the frame's models, by identity
+    /// The sides that may be outlines of the frame's models, by l3d_patch_model::identity().
+    std::map<const void*, l3d_patch_neighbours> sides_;
     l3d_two_layer_depths depths_;
     l3d_pixel_bits mask_;
 };

@@ -14,20 +14,21 @@ using vector = l3d_vector<double, 3>;
 using place = l3d_picture_place;
 
 /// The smallest size of a piece that is tested for being hidden. Around smaller pieces, the surface
-/// at an outline cannot be told from one that hides it.
+/// at an outline cannot be told apart from a surface that hides the outline.
 /// Units: pixels.
 constexpr double least_asked = 8;
 
-/// The largest size of a piece whose sides and folds are searched, and the longest line of an
-/// outline.
+/// The largest size of a piece whose sides and folds are marked as lines, and the greatest length
+/// of such a line.
 /// Units: pixels.
 constexpr double longest_line = 16;
 
-/// The most halvings of a patch: down to 2^-20 of it along both directions. Smaller pieces are
-/// marked as boxes.
+/// The largest number of halvings of a patch, down to 2^-20 of it along both directions. Pieces
+/// that would have to be halved more often are marked as boxes.
 constexpr int most_levels = 40;
 
-/// The most pieces of a frame. If there are more, each further one is marked as a box.
+/// The largest number of pieces in a frame. If there are more, each further piece is marked as a
+/// box.
 constexpr std::int64_t most_pieces = std::int64_t{1} << 21;
 
 /// Bounds the relative rounding of normals, which are sums of 36 products of differences of
@@ -38,9 +39,9 @@ double mean(double a, double b) {
     return (a + b) / 2;
 }
 
-/// Bounds the distance of a piece's or a curve's picture from a linear one with value X. That is
-/// sum B_i (x_i - X w_i) over w. With d_i = x_i - X_i w_i, and since sum B_i X_i = X, the sum
-/// equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean).
+/// Bounds the distance of a piece's or a curve's picture from a linear function with value X. The
+/// distance is the sum B_i (x_i - X w_i) over w. With d_i = x_i - X_i w_i, and since sum B_i X_i =
+/// X, the sum equals sum B_i d_i + sum B_i (X_i - X) (w_i - w_mean).
 struct linear_error {
     double most = 0, least_w = 0, most_w = 0;
 
@@ -78,8 +79,8 @@ l3d_outline_search::l3d_outline_search(const l3d_dice_view& view, const l3d_outl
     : whole_(view), view_(view), reach_(reach), allowed_(std::max(reach.places / 8, 1.0 / 64)),
       depths_(depths), mask_(mask) {}
 
-/// Sets errors and near planes for a patch's share of the view's errors. No near plane is farther
-/// than these errors push it.
+/// Sets the errors and near planes for a patch whose points have this share of the view's errors.
+/// No near plane is farther than these errors push it.
 void l3d_outline_search::take_share(double share) {
     view_.take_share(whole_, share);
     radius_ = reach_.places + view_.error_xy / std::max(view_.near, 1e-300);
@@ -102,8 +103,9 @@ void l3d_outline_search::add(const l3d_bezier_patch<double, 3>& patch,
     search(whole);
 }
 
-/// Finds Bernstein coefficients of n.(S - E) over the piece. With the middle C of the points, it is
-/// n.(C - E) + n.(S - C). Along the normals' common axis, S - C is nearly nothing.
+/// Finds the Bernstein coefficients of n.(S - E) over the piece, for normals n at points S and the
+/// eye E. With the middle C of the points, the product is n.(C - E) + n.(S - C). Along the normals'
+/// common axis, S - C is nearly nothing.
 l3d_outline_search::level_set<l3d_outline_search::order>
 l3d_outline_search::facing_of(const piece& p) const {
     vector axis(0.0);
@@ -173,8 +175,9 @@ void l3d_outline_search::search(const piece& p) {
     split(next);
 }
 
-/// Marks the sides of a small piece. Also marks the lines at which it folds or is cut, if they are
-/// nearly straight. Returns whether all are marked; the piece keeps note of those that are not.
+/// Marks the sides of a small piece. Also marks the lines at which the piece folds or is cut, if
+/// they are nearly straight. Returns whether all outlines of the piece are marked. The members of
+/// `p` tell which are not.
 bool l3d_outline_search::mark_small(piece& p, const level_set<order>& facing) {
     const l3d_image_curve sides[] = {p.net.row(0), p.net.column(3), p.net.row(3), p.net.column(0)};
     for (std::size_t k = 0; k < std::size(sides); ++k)
@@ -186,8 +189,8 @@ bool l3d_outline_search::mark_small(piece& p, const level_set<order>& facing) {
     return !p.may_fold && are_cuts_marked;
 }
 
-/// Marks the lines at which the near and far planes cut a piece. Returns false if one is not nearly
-/// straight.
+/// Marks the lines at which the near and far planes cut a piece. Returns false if one of these
+/// lines is not nearly straight.
 bool l3d_outline_search::mark_cuts(const piece& p) {
     const l3d_depth_range& w = p.net.w();
     level_set<4> near, far;
@@ -222,8 +225,9 @@ void l3d_outline_search::split(const piece& p) {
     search(high);
 }
 
-/// Whether everything drawn in and around a box hides the piece. It must be nearer than the piece's
-/// nearest point by the piece's range of depth, since the surface goes on beside the piece.
+/// Whether everything drawn in and around a box hides a piece in the box with the range `w`. The
+/// drawn surfaces must be nearer than the piece's nearest point by the piece's range of depth,
+/// since the piece's surface goes on beside it.
 bool l3d_outline_search::hides(const l3d_image_box& box, const l3d_depth_range& w) const {
     const bool is_parallel = view_.is_parallel();
     const auto depth = [&](double of_w) {
@@ -275,8 +279,8 @@ void l3d_outline_search::add_box(const l3d_image_box& box) {
     add_line(middle, middle, fold_radius_ + std::hypot(box.width(), box.height()) / 2);
 }
 
-/// Marks pixels around places that lie nearly on a line. The line is widened by their distance from
-/// it. Returns false, with nothing done, if it would be too long or too wide.
+/// Marks pixels around places that lie nearly on a line. The line is widened by the places'
+/// distance from it. Returns false, with nothing marked, if the line would be too long or too wide.
 bool l3d_outline_search::add_straight(const place* places, std::size_t count, double error,
                                       double radius) {
     place from = places[0], to = places[0];
@@ -317,9 +321,9 @@ void l3d_outline_search::add_curve(const l3d_image_curve& curve, int level) {
     add_curve(high, level + 1);
 }
 
-/// Marks the places where a polynomial may be 0. They form a strip of the piece, as wide as the
-/// polynomial's distance from a linear one. The strip's picture is nearly a line. Returns true if
-/// the strip is marked, or empty.
+/// Marks the places where a polynomial may be 0. These places form a strip of the piece, whose
+/// width follows from the polynomial's distance from a linear one. The strip's picture is nearly a
+/// line. Returns true if the strip is marked, or empty.
 template <std::size_t N>
 bool l3d_outline_search::add_level_set(const level_set<N>& of, const piece& p) {
     constexpr std::size_t end = N - 1;

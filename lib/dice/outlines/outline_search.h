@@ -17,40 +17,40 @@ struct l3d_picture_place {
     double x = 0, y = 0;
 };
 
-/// How far a drawn frame may be off, so that the search knows which pixels an outline may reach.
+/// The bounds of a drawn frame's errors, by which l3d_outline_search knows which pixels an outline
+/// may reach.
 struct l3d_outline_reach {
-    double focal; ///< pixels at a distance of 1
-    double
-        depth_by_pixel;   ///< in a parallel projection, how much depth changes over a pixel's width
-    double places, depth; ///< bounds in the picture and along the normal, in pixels
-    double farthest_near; ///< the farthest near plane in use, in the view's w
+    double focal; ///< length in pixels of a unit at distance 1
+    /// In a parallel projection, how much depth changes over a pixel's width; 0 in perspective.
+    double depth_by_pixel;
+    double places, depth; ///< error bounds in the picture and along the normal, in pixels
+    double farthest_near; ///< the largest w of any patch's near plane
 };
 
-/// Marks the pixels near visible outlines in a mask.
+/// Marks in a mask the pixels near visible outlines of exact patches.
 ///
-/// It halves patches until each piece certainly has no visible outline, or its outline is nearly
-/// straight. It marks all pixels within the bound of a straight outline.
+/// It halves patches until each piece certainly has no visible outline, or an outline that is
+/// nearly straight. It marks all pixels within the bound of a straight outline.
 ///
 /// Three kinds of lines count as outlines: the sides that add() names, the cuts by the near and the
 /// far plane, and folds. At a fold the normal is perpendicular to the line of sight. The bounds
-/// hold for the exact patches, whatever grid is drawn. The drawn depths only tell whether an
-/// outline is hidden.
+/// hold for the exact patches, whatever grid is drawn. The drawn depths are only used to tell
+/// whether an outline is hidden.
 /// Cost: some 3 us a piece; 30 to 60 pieces for 10 pixels of outline.
 class l3d_outline_search {
 public:
     /// Prepares a search with these bounds of the drawn frame.
     ///
-    /// At a fold, pixels up to half of `reach.depth` farther away are marked, too. So near to a
-    /// fold, its two sheets are closer than their bounds of depth together. This is why: the fold's
+    /// At a fold, pixels up to half of `reach.depth` farther away are marked, too. There the two
+    /// sheets of the fold are closer together than the sum of their bounds of depth. For the fold's
     /// picture is a parabola d = k t^2 / 2 over the depth t, and the normal's slope is k t. So the
-    /// sheets, 2 t apart in depth, are 4 d apart along the normal, and each may err.
+    /// sheets, 2 t apart in depth, are 4 d apart along the normal, and each sheet may err.
     /// Lives: borrows view, depths and mask.
     l3d_outline_search(const l3d_dice_view& view, const l3d_outline_reach& reach,
                        const l3d_two_layer_depths& depths, l3d_pixel_bits& mask);
 
     /// Marks the outlines of a patch. The bits of `sides` say which sides count as outlines
-    /// (l3d_patch_neighbours). `share` is l3d_dice_view::share_of of the patch's own points, since
-    /// far patches are known less well than near ones.
+    /// (l3d_patch_neighbours). `share` is l3d_dice_view::share_of for the patch's points.
     /// Shape: patch, normals and eye are in one space.
     void add(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals,
              const l3d_vector<double, 3>& eye, const l3d_image_patch& net, unsigned sides,
@@ -60,13 +60,14 @@ private:
     using vector = l3d_vector<double, 3>;
     static constexpr std::size_t order = l3d_normal_polynomial::order;
 
-    /// A part of a patch, and the outlines that it may still have.
+    /// A part of a patch, and the kinds of outlines that it may still have.
     struct piece : l3d_exact_part {
         l3d_bezier_patch<double, 3> patch; ///< the patch, with the eye as origin
         unsigned sides = 0;
         bool may_fold = true;
     };
-    /// A polynomial over a piece, by its Bernstein coefficients, and a bound of its values' error.
+    /// A polynomial over a piece, zero along an outline: its Bernstein coefficients, and a bound of
+    /// the error of its values.
     template <std::size_t N> struct level_set {
         std::array<double, N * N> at;
         double error = 0;
@@ -87,14 +88,15 @@ private:
                       double radius);
 
     const l3d_dice_view& whole_;
-    l3d_dice_view
-        view_; ///< the view with the patch's share of errors, as all members down to window_
+    /// The view with the patch's share of errors. The members down to window_ depend on this share,
+    /// too.
+    l3d_dice_view view_;
     l3d_outline_reach reach_;
-    double radius_ = 0,
-           fold_radius_ = 0; ///< how far pixels are marked around a side, and around a fold
+    /// How far pixels are marked around a side, and around a fold, in pixels.
+    double radius_ = 0, fold_radius_ = 0;
     double least_near_ = 0, most_near_ = 0;
     l3d_image_box window_{};
-    double allowed_; ///< the most by which a line may be too wide
+    double allowed_; ///< the most by which a marked line may be too wide, in pixels
     const l3d_two_layer_depths& depths_;
     l3d_pixel_bits& mask_;
     std::int64_t pieces_ = 0;

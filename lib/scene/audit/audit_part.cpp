@@ -23,15 +23,15 @@ double square_distance_to_segment(double x, double y, double a, double b) {
     return dx * dx + dy * dy;
 }
 
-/// A unit vector perpendicular to another.
+/// Some unit vector perpendicular to `unit`.
 vector any_across(const vector& unit) {
     vector axis{0.0, 0.0, 0.0};
     axis[std::abs(unit[0]) < 0.5 ? 0 : 1] = 1;
     return l3d_normalized(axis - unit * l3d_dot(axis, unit));
 }
 
-/// A bound of a polynomial between two parameters: the largest of its Bezier coefficients for that
-/// interval. They are blossoms of the given coefficients.
+/// A bound of a polynomial between two parameters: the largest of its Bezier coefficients for this
+/// interval. These coefficients are blossoms of the polynomial's given coefficients `of`.
 template <std::size_t count>
 double most_between(const std::array<double, count>& of, double from, double to) {
     double result = 0;
@@ -137,8 +137,8 @@ bent_patch::bent_patch(const patch& p) : of(p) {
         }
 }
 
-/// Mixes the bounds of the rows' lengths: Bernstein polynomials of v, whose sum is 1, mix the rows
-/// themselves.
+/// Bounds each row of a derivative's net by its longest vector, and takes means of these bounds. A
+/// place is a mean of the rows, too: its weights are Bernstein polynomials, whose sum is 1.
 std::array<double, 3> bent_patch::bounds(const patch_place& least, const patch_place& most) const {
     return {most_between(uu_, least[1], most[1]),
             std::min(most_between(uv_by_v_, least[1], most[1]),
@@ -146,9 +146,10 @@ std::array<double, 3> bent_patch::bounds(const patch_place& least, const patch_p
             most_between(vv_, least[0], most[0])};
 }
 
-/// Let e be a side of the triangle as a step in (u, v), and let l be the weights of the corners.
-/// The flat triangle is off by at most half the sum of l_i l_j times |second derivative along e|,
-/// over all three sides. NUMERICS, "The distance between a mesh and a surface", derives it.
+/// The contribution of each side to `off`. Let e be a side of the triangle as a step in (u, v), and
+/// let l_i be the weights of the corners at a place. The flat triangle is off by at most half the
+/// sum of l_i l_j |second derivative along e|, over all three sides. NUMERICS, "The distance
+/// between a mesh and a surface", derives it.
 std::array<double, 3> audit_part::weights() const {
     std::array<double, 2> widths{};
     std::array<place, 3> sides{};

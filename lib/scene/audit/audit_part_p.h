@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// A triangle in space that finds its distance from places. It keeps its corners in coordinates of
-/// its own plane. It may have no area, or be a point.
+/// A triangle in space that finds its distance from places. For this it keeps its corners in
+/// coordinates of its own plane. The triangle may have no area, or be a point.
 class flat_triangle {
 public:
     using vector = l3d_vector<double, 3>;
@@ -23,46 +23,49 @@ public:
     const std::array<vector, 3>& corners() const { return corners_; }
     /// The square of the distance from a place to the triangle.
     double square_distance(const vector& from) const;
-    /// How far a place is beyond the line through the corners k and k + 1, seen from above.
+    /// How far a place lies outside of the side from corner k to the next, in the direction across
+    /// the side in the triangle's plane. It is negative on the side of the triangle.
     double beyond(std::size_t k, const vector& place) const;
-    /// Whether all of another triangle is beyond one of the sides, or above or below the plane, by
-    /// more than `by`.
+    /// Whether all of another triangle is outside of one side of this triangle, or above or below
+    /// its plane, by more than `by`.
     bool is_apart(const flat_triangle& other, double by) const;
 
 private:
     std::array<vector, 3> corners_;
     vector first_, along_, across_, normal_; ///< the first end of the longest side; unit vectors
-    double length_, x_, y_; ///< the length of that side; the place of the corner across it, y_ >= 0
+    double length_, x_, y_; ///< the longest side's length; the opposite corner's place, y_ >= 0
 };
 
-/// A place of parameters: u and v.
+/// The parameters u and v of a place on a patch.
 using patch_place = std::array<double, 2>;
 
-/// A bicubic patch, and bounds of its second derivatives.
+/// A bicubic patch that bounds its second derivatives over rectangles of parameters, and finds the
+/// place near to a given one.
 struct bent_patch {
     using patch = l3d_bezier_patch<double, 3>;
 
     explicit bent_patch(const patch& p);
 
-    /// Parameters whose place is likely to be the nearest one, by some steps of Newton's method.
-    /// They may lie beyond 0 and 1, where the patch's polynomials continue it.
+    /// Parameters of the patch's place that is likely to be nearest to `to`, by some steps of
+    /// Newton's method from `begin`. Parameters may lie beyond 0 and 1, where polynomials continue
+    /// the patch.
     patch_place place_near(const flat_triangle::vector& to, patch_place begin) const;
 
-    /// Bounds of the lengths of the derivatives by u twice, by u and v, and by v twice, in a
-    /// rectangle. Shape: the least u and v, the most.
+    /// Bounds of the lengths of second derivatives in the rectangle of parameters from `least` to
+    /// `most`. Shape: by u twice, by u and v, by v twice.
     std::array<double, 3> bounds(const patch_place& least, const patch_place& most) const;
 
     patch of;
 
 private:
-    /// The largest lengths in each row and column of the derivatives' nets.
+    /// The largest lengths in each row or column of the control nets of the second derivatives.
     std::array<double, 4> uu_{}, vv_{};
     std::array<double, 3> uv_by_v_{}, uv_by_u_{};
 };
 
-/// A part of a patch whose triangles are searched together. It is a rectangle of parameters that
-/// trims leave whole, or the rest of a trimmed patch near its border. The rest has no rectangle of
-/// its own.
+/// A part of a patch whose triangles of parameters are searched together. The part is a rectangle
+/// that trims leave whole, or the rest of a trimmed patch near its border. The rest has no
+/// rectangle of its own.
 struct patch_sheet {
     const bent_patch* patch;
     std::uint32_t index; ///< the number of the patch
@@ -70,11 +73,11 @@ struct patch_sheet {
     patch_place least{0, 0}, most{1, 1}; ///< corners of the rectangle
 };
 
-/// A triangle of a mesh, or the part of a patch over a triangle of parameters.
+/// The unit of an audit's search: a triangle of a mesh, or the part of a patch over a triangle of
+/// parameters.
 ///
-/// Each place (u, v) of a part is within `off` of the place of the flat triangle that has the same
-/// weights. So part and triangle are within `off` of each other. For a triangle of a mesh, off is
-/// 0.
+/// A place of the part and the place of the triangle `flat` with the same barycentric weights are
+/// within `off` of each other. So part and triangle are, too. For a triangle of a mesh, `off` is 0.
 struct audit_part {
     using vector = l3d_vector<double, 3>;
     using place = patch_place;
@@ -87,8 +90,8 @@ struct audit_part {
 
     /// The place of the part's middle, on the surface itself.
     vector middle() const;
-    /// Cuts the part in two. The cut runs from the opposite corner to the side from corner k to the
-    /// next, and meets it at `share`.
+    /// Cuts the part in two. The cut runs to the side from corner k to the next, from the corner
+    /// opposite. It meets the side at the share `share` of its length.
     std::array<audit_part, 2> cut(std::size_t k, double share) const;
     /// The side that contributes most to `off`. Expects: a part of a patch.
     std::size_t bent_side() const;
@@ -99,7 +102,7 @@ struct audit_part {
 
     flat_triangle flat;
     std::array<place, 3> at{};          ///< parameters of the corners
-    const patch_sheet* sheet = nullptr; ///< none for a triangle of a mesh
+    const patch_sheet* sheet = nullptr; ///< the sheet of the patch; null for a triangle of a mesh
     double off = 0;
     std::uint32_t index = 0; ///< the number of the triangle or patch
 

@@ -14,11 +14,11 @@
 
 namespace l3d_detail {
 
-/// The distance from a triangle to the farthest of some places. No place of their hull is farther
-/// from it.
+/// The distance from a triangle to the farthest of some places. No place in the hull of these
+/// places is farther from the triangle.
 double farthest(const flat_triangle& flat, std::span<const audit_part::vector> places);
 
-/// An upright box.
+/// A box whose sides are parallel to the axes, around the parts of a tree's node.
 struct audit_box {
     using vector = audit_part::vector;
 
@@ -27,14 +27,14 @@ struct audit_box {
     audit_box grown(double by) const;
     bool meets(const audit_box& other) const;
     void hold(const audit_box& other);
-    /// The distance to the farthest of some places.
+    /// The distance from the box to the farthest of some places.
     double distance(std::span<const vector> places) const;
 
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
 };
 
-/// A tree of boxes that finds the parts near a place. A search halves parts of patches in memory of
-/// its own; the tree stays as it is.
+/// A tree of boxes that finds the parts near a place. A search may halve parts of patches, in
+/// memory of its own. The tree stays as it is.
 class part_tree {
 public:
     using vector = audit_part::vector;
@@ -44,24 +44,24 @@ public:
 
     std::span<const audit_part> parts() const { return parts_; }
 
-    /// Bounds of the distance from some places to a part, and the part.
+    /// The result of a search: the part that is nearest to some places, and bounds of its distance.
     struct found {
-        double least = 0; ///< the farthest of the places is at least this far from each part
-        double most = 0;  ///< all places are at most this far from this part
-        std::optional<audit_part> part; ///< none if none was near enough
+        double least = 0; ///< from every part, at least one of the places is this far or farther
+        double most = 0;  ///< all of the places are at most this far from `part`
+        std::optional<audit_part> part; ///< the part; nothing if no part was near enough
     };
 
     /// The conditions under which a search ends.
     struct wanted {
-        double enough;   ///< a part so near ends the search
+        double enough;   ///< a part no farther than this ends the search
         double hopeless; ///< parts that cannot be nearer than this are not looked at
-        double slack;    ///< the search ends when most - least is no larger
-        /// The most boxes and parts to open. If these are not enough, `least` is 0; `most` is
-        /// valid.
+        double slack;    ///< the search ends when most - least is at most this
+        /// The largest number of boxes and parts to open. If the search needs more, found::least is
+        /// 0; found::most is valid.
         std::size_t steps = std::numeric_limits<std::size_t>::max();
     };
 
-    /// Memory of searches, kept for the next.
+    /// Memory of a search, kept for the next search.
     struct memory {
         struct entry {
             double least;
@@ -72,18 +72,19 @@ public:
         std::vector<audit_part> parts;
     };
 
-    /// Finds the part with the least distance to the farthest of some places.
+    /// Finds the part for which the distance to the farthest of some places is least.
     found nearest(std::span<const vector> places, const wanted& until, memory& use) const;
 
     /// Adds to `to` the indices of the parts whose boxes are at most `distance` from the box of
-    /// another part. Returns false if there are more than `most`.
+    /// another part. Returns false if these are more than `most` parts.
     bool find_near(const audit_part& other, double distance, std::size_t most,
                    std::vector<std::uint32_t>& to) const;
 
 private:
     struct node {
         audit_box box{};
-        /// Leaves have parts from `first` to `end`; others have children at `first` and first + 1.
+        /// A leaf has the parts from index `first` to before `end`. Any other node has its children
+        /// at `first` and first + 1 of nodes_.
         std::uint32_t first = 0, end = 0;
     };
 

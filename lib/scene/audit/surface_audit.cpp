@@ -27,8 +27,8 @@ using l3d_detail::patch_place;
 using l3d_detail::patch_sheet;
 using vector = l3d_surface_audit::vector;
 
-/// Rounding of all sums and roots, relative to the largest coordinate: some hundred units in the
-/// last place.
+/// The rounding of a distance, relative to the largest coordinate: some hundred units in the last
+/// place.
 constexpr double rounding = 0x1p-45;
 
 /// The place where a triangle is cut in two: on a side, at a share of its length.
@@ -37,18 +37,18 @@ struct cut_place {
     double share;
 };
 
-/// Chooses where to cut a part. The best place is where the surface that it is compared with ends,
-/// since neither half needs another cut there. If there are several, the place that cuts off most
-/// of a side is taken. If all cut off little, or there is none, the longest side is halved, lest
-/// parts become slivers.
+/// Chooses where to cut a part. The best place is where the surface with which the part is compared
+/// ends, since neither half needs another cut there. If there are several such places, the one that
+/// cuts off most of a side is taken. If there is none, or all cut off little, the longest side is
+/// halved, lest parts become slivers.
 class cut_choice {
 public:
     explicit cut_choice(const audit_part& part)
         : corners_(part.flat.corners()), best_{part.longest_side(), 0.5},
           most_(least_share * length(best_.side)) {}
 
-    /// Offers a place of a side, between values at its two ends. Where the signs of these differ,
-    /// something ends between them.
+    /// Offers a place of a side for the cut. `a` and `b` are the values of a function at the side's
+    /// two ends. If their signs differ, the surface ends between them.
     void offer(std::size_t side, double a, double b) {
         const double share = a / (a - b);
         const double off = std::min(share, 1 - share) * length(side);
@@ -72,7 +72,7 @@ private:
     double most_;
 };
 
-/// Finds the largest distance from parts to a tree's parts.
+/// Finds the largest distance from the places of some parts to the nearest part of a tree.
 class largest_distance {
 public:
     largest_distance(const part_tree& to, double slack) : to_(to), slack_(slack) {}
@@ -137,7 +137,8 @@ private:
         return found;
     }
 
-    /// Settles a part if it is certainly near enough. Else it is kept to be cut.
+    /// Settles a part if it is certainly within enough() of the tree's parts. Any other part is
+    /// kept to be cut. `most` is a bound of the part's distance.
     void judge(const audit_part& part, double most) {
         const auto& corners = part.flat.corners();
         cut_choice at(part);
@@ -175,8 +176,8 @@ private:
     }
 
     /// Whether every place of `part` is within enough() of one of the parts near_[first] and after.
-    /// It halves `part` up to `cuts` times to find out. `most` grows to the largest bound that was
-    /// found.
+    /// `part` is halved up to `cuts` times to find out. `most` grows to the largest bound of a
+    /// half's distance.
     bool is_settled(const audit_part& part, std::size_t first, int cuts, double& most) {
         const std::size_t end = near_.size();
         const vector middle = part.middle();
@@ -199,7 +200,7 @@ private:
         return result;
     }
 
-    /// The same, once the nearest of these parts is known.
+    /// Does the work of is_settled after it has found the nearest of these parts.
     bool is_settled_by(const audit_part& nearest, const audit_part& part, std::size_t first,
                        int cuts, double& most) {
         cut_choice at(part);
@@ -230,8 +231,8 @@ private:
         return l3d_length(sheet.patch->of.evaluate(p[0], p[1]) - from);
     }
 
-    /// The place of a sheet that is nearest to `to`, among 4 by 4. None of them is on the sheet's
-    /// border.
+    /// The place of a sheet that is nearest to `to`, among a grid of 4 by 4 places inside of the
+    /// sheet.
     static patch_place best_of_grid(const patch_sheet& sheet, const vector& to) {
         constexpr int count = 4;
         patch_place best{};
@@ -308,16 +309,16 @@ private:
     const part_tree& to_;
     const double slack_;
     l3d_audited_way result_;
-    double settled_ = 0; ///< no settled part is farther
+    double settled_ = 0; ///< the largest bound of a settled part's distance
     std::vector<open_part> open_;
     part_tree::memory memory_;
     std::vector<std::uint32_t> near_;
-    const patch_sheet* last_sheet_ = nullptr; ///< Newton's method begins where it ended last
+    const patch_sheet* last_sheet_ = nullptr; ///< the sheet on which Newton's method ended last
     patch_place last_place_{};
 };
 
-/// Divides a trimmed patch into rectangles of which all is there, and triangles along its border.
-/// Calls add_whole(box) and add(corners).
+/// Divides the region that trims leave of a patch into rectangles, and triangles along the region's
+/// border. Calls add_whole(box) and add(corners).
 template <class Add, class Whole>
 void divide(const l3d_trim_region& region, const l3d_trim_box& box, int depth,
             l3d_trim_triangles& use, const Add& add, const Whole& add_whole) {
@@ -391,7 +392,7 @@ struct l3d_surface_audit::contents {
     l3d_patch_model model;
     double error = 0, slack = 0;
     std::vector<bent_patch> patches;
-    std::deque<patch_sheet> sheets; ///< parts borrow them
+    std::deque<patch_sheet> sheets; ///< parts borrow the sheets
     std::optional<part_tree> tree;
 };
 

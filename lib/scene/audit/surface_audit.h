@@ -12,8 +12,8 @@
 #include <memory>
 #include <span>
 
-/// The largest distance in one direction, from a mesh to a surface or back: proven bounds, and a
-/// place that is at least so far away.
+/// The largest distance in one direction: from the places of a mesh to a surface, or from those of
+/// a surface to a mesh. It has proven bounds, and an example of a place that is far away.
 struct L3D_PUBLIC l3d_audited_way {
     double least = 0; ///< the distance at `place` is at least this
     double most = 0;  ///< the distance is nowhere larger than this
@@ -28,52 +28,54 @@ struct L3D_PUBLIC l3d_audited_way {
 /// The distances between a mesh and a surface, each from all places of one to the nearest place of
 /// the other. The larger one is Hausdorff's distance.
 struct L3D_PUBLIC l3d_mesh_audit {
-    l3d_audited_way from_mesh;    ///< from the triangles to the surface: large where the mesh has
-                                  ///< too much
-    l3d_audited_way from_surface; ///< from the surface to the triangles: large where the mesh lacks
-                                  ///< a part
+    /// From the triangles to the surface. The distance is large if the mesh has too much.
+    l3d_audited_way from_mesh;
+    /// From the surface to the triangles. The distance is large if the mesh lacks a part.
+    l3d_audited_way from_surface;
 };
 
-/// Measures distances to the trimmed pieces of a model, from below and from above.
+/// Measures distances between meshes and the trimmed pieces of a model. Each distance gets bounds
+/// from below and from above.
 ///
 /// Distances have no sign. So mesh and surface may be open, and may turn either side outwards.
 /// Lives: as long as it is needed; it shares the model's contents.
 /// Units: all lengths are in the model's unit.
 class L3D_PUBLIC l3d_surface_audit {
 public:
-    /// A place.
+    /// A place in the model's space.
     using vector = l3d_vector<double, 3>;
     /// The corners of a triangle.
     using triangle = std::array<vector, 3>;
 
-    /// The width of bounds that programs usually ask for, as a share of the diagonal of the model's
-    /// box.
+    /// The tolerance that programs usually ask for, as a share of the diagonal of the model's box.
     static constexpr double usual_tolerance = 1e-4;
 
-    /// Prepares a model. `tolerance` is the width that bounds should have.
+    /// Prepares a model for measurements. `tolerance` is the wanted difference between upper and
+    /// lower bounds.
     /// Expects: a model with patches; a tolerance > 0.
-    /// Cost:    the patches of a level of the model whose error is a quarter of the tolerance, and
+    /// Cost:    the patches of the model at a level whose error is a quarter of the tolerance, and
     ///          some 300 bytes for each triangle of their trims.
     l3d_surface_audit(const l3d_patch_model& model, double tolerance);
     /// Takes the other's contents.
     l3d_surface_audit(l3d_surface_audit&& other) noexcept;
     ~l3d_surface_audit();
 
-    /// Bounds of the distance from a place to the surface. Shape: from below, from above.
+    /// Bounds of the distance from a place to the surface. Shape: the lower bound, the upper bound.
     std::array<double, 2> distance(const vector& from) const;
 
-    /// Compares triangles with the surface.
+    /// Measures the distances between a mesh of triangles and the surface, in both directions.
     ///
-    /// The bounds are valid however long it takes. They are wider than the tolerance if the
-    /// model's finest level is coarser, or if the cuts are not enough.
+    /// The bounds are always valid. They are farther apart than the tolerance if the model's finest
+    /// level is too coarse, or if the search runs out of cuts (least_cuts).
     /// Expects: at least one triangle; finite coordinates of magnitude at most 1e12.
-    /// Cost:    some 10 us for each triangle and each of the surface's cells, and up to a
-    ///          millisecond for each cut where the distance is nearly the largest.
+    /// Cost:    some 10 us for each triangle and each cell of the surface. A cut, where the
+    ///          distance is nearly the largest, takes up to a millisecond.
     /// Source:  branch and bound; NUMERICS derives the bounds.
     l3d_mesh_audit compare(std::span<const triangle> mesh) const;
 
-    /// The number of cuts of triangles that each direction may always use. If the triangles and
-    /// cells of both sides together are more, it may use as many cuts as they are.
+    /// The number of cuts of triangles and cells that the search in each direction may always use.
+    /// If the mesh and the surface together have more triangles and cells, the limit is their
+    /// number.
     static constexpr std::size_t least_cuts = std::size_t{1} << 13;
 
 private:

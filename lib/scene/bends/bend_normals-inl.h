@@ -20,37 +20,37 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The Taylor coefficients of a vector polynomial about the middles of parts: [power of u][power of
-/// v]. Parameters run from -1 to 1 across a part.
+/// The Taylor coefficients of a vector polynomial about the middles of parts of a patch, one part a
+/// lane: [power of u][power of v]. Parameters run from -1 to 1 across a part.
 template <std::size_t Degree> struct taylor_net { vector at[Degree + 1][Degree + 1]; };
 
 constexpr double factorial(std::size_t n) {
     return n == 0 ? 1 : static_cast<double>(n) * factorial(n - 1);
 }
 
-/// The factor that turns a Taylor coefficient into a derivative by parameters from 0 to 1 across
-/// the part. These run half as fast.
+/// The factor that turns the Taylor coefficient of u^k v^l into a derivative by parameters from 0
+/// to 1 across the part. The coefficients' own parameters run twice as far, from -1 to 1.
 constexpr double as_derivative(std::size_t k, std::size_t l) {
     return factorial(k) * factorial(l) * static_cast<double>(std::size_t{1} << (k + l));
 }
 
-/// Finds the largest of |a + b s + c t| for s and t from -1 to 1. It is in a corner, since the
-/// function is convex.
+/// Finds the largest of |a + b s + c t| for s and t from -1 to 1. The largest value is in a corner,
+/// since the function is convex.
 HWY_ATTR HWY_INLINE number largest_size(const vector& a, const vector& b, const vector& c) {
     const vector low = a - b, high = a + b;
     const number one = largest(squared(low - c), squared(low + c));
     return root(largest(one, largest(squared(high - c), squared(high + c))));
 }
 
-/// Bounds the error that rounding adds to normals, relative to the length of the normal in the
-/// middle (docs/NUMERICS.md, section 11).
+/// Bound of the error that rounding adds to normals, for normals whose longest coefficient is 1
+/// (docs/NUMERICS.md, section 11).
 constexpr double normal_noise = 0x1p-39;
 
-/// A normal shorter than this is mostly noise. The longest coefficient is 1.
+/// A normal shorter than this is mostly noise, if the longest coefficient is 1.
 constexpr double no_length = 0x1p-32;
 
-/// Bounds the error that rounding adds to a second or third derivative of points, relative to the
-/// largest of the points.
+/// Bound of the error that rounding adds to a second or third derivative of points, relative to the
+/// largest of the points' coordinates.
 constexpr double point_noise = 0x1p-44;
 
 /// A factor that makes up for rounding in the sums of positive numbers below.
@@ -59,8 +59,8 @@ constexpr double relative = 1 + 0x1p-40;
 // Functions that have series of their own are not inlined, so the stack holds only the series in
 // use. A series takes 3 KB with the longest lanes.
 
-/// The unit normals N of parts: Taylor coefficients about the middle up to series_order, and bounds
-/// of derivatives over all of the part.
+/// The unit normals N of parts, one part a lane. It has their Taylor coefficients about the middle
+/// up to series_order, and bounds of derivatives over all of the part.
 ///
 /// M is the polynomial of normals, and m is M over its length in the middle. Let p be the series of
 /// (m . m)^(-1/2), cut off. Then p m points like m, and has the coefficients of N up to
@@ -80,19 +80,19 @@ public:
 
     HWY_ATTR HWY_INLINE number size(std::size_t k, std::size_t l) const { return sizes_[k][l]; }
 
-    /// The value of the series of absolute values in the corner.
+    /// The value in the corner of the series of absolute values of N's coefficients.
     HWY_ATTR HWY_INLINE number sum_of_sizes() const { return most_[0][0]; }
     HWY_ATTR HWY_INLINE number noise() const { return noise_; }
 
-    /// Whether the bounds hold. They do not where there is no normal.
+    /// The mask of lanes in which the bounds hold. They do not hold where a part may lack a normal.
     HWY_ATTR HWY_INLINE auto known() const { return known_; }
 
     HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
         return sizes_[k][l] * same(as_derivative(k, l));
     }
 
-    /// The bound of a derivative. Its terms of order 0 and 1 are exact; the others are sums of
-    /// absolute values.
+    /// The bound of the derivative of N, k times by u and l times by v. Its terms of order 0 and 1
+    /// are exact; the other terms are sums of absolute values.
     HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
         const number u = same(static_cast<double>(k + 1)), v = same(static_cast<double>(l + 1));
         const number exact = largest_size(n_[k][l], n_[k + 1][l] * u, n_[k][l + 1] * v);
@@ -137,9 +137,9 @@ HWY_ATTR part_normals::part_normals(taylor_net<5> m) {
     bound_products(m, p);
 }
 
-/// The product of two series of absolute values in the corner. `all` has its value and its
-/// derivatives. `beyond` has their part from coefficients beyond the order: `all` less the part of
-/// the first coefficients.
+/// The product of two series of absolute values, in the corner. `all` has the product's value and
+/// its derivatives. `beyond` has their part that comes from coefficients beyond the order: `all`
+/// less the part of the first coefficients.
 struct product_in_corner {
     series all, beyond;
 
@@ -219,9 +219,9 @@ HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series&
 
 /// Bounds |N . S_b| over parts, for the derivatives S_b of second and third order of points.
 ///
-/// The product is a series. Its coefficients are exact, except for those that come from N beyond
-/// its order. So signs are lost only when its terms are added up. Terms of even powers keep their
-/// signs.
+/// The product is a series. Its coefficients are exact, except for the part that comes from terms
+/// of N beyond series_order. So signs are lost only when terms are added up. Terms of even powers
+/// keep their signs.
 class part_points {
 public:
     HWY_ATTR part_points(const taylor_net<3>& s, const part_normals& n, double size)
@@ -273,7 +273,7 @@ public:
         return magnitude(dot(n_.at(0, 0), s_.at[k][l])) * same(as_derivative(k, l));
     }
 
-    /// The bound of |S_uuvv|. S_uuvv is bilinear, so it is longest in a corner.
+    /// The bound of |S_uuvv| over the part. S_uuvv is bilinear, so it is longest in a corner.
     HWY_ATTR HWY_INLINE number bound_uuvv() const {
         const vector a = s_.at[2][2] * same(4), u = s_.at[3][2] * same(12);
         const vector v = s_.at[2][3] * same(12), uv = s_.at[3][3] * same(36);
@@ -283,14 +283,14 @@ public:
     }
 
 private:
-    /// The factor that k derivatives by a parameter bring to its power k + rest.
+    /// The factor that k derivatives by a parameter bring to the parameter's power k + rest.
     static constexpr double taken_out(std::size_t k, std::size_t rest) {
         return factorial(k + rest) / factorial(rest);
     }
 
-    /// The order below which products with coefficients of N keep their signs, and the room for
-    /// such a product. With order 4, the teapot has 0.2 % more quads. With 7, it has 1 % fewer, and
-    /// bounds take a third more instructions.
+    /// The order below which products with coefficients of N keep their signs, and the number of
+    /// powers in such a product. With order 4, the teapot has 0.2 % more quads. With order 7, it
+    /// has 1 % fewer, and bounds take a third more instructions.
     static constexpr std::size_t exact_order = 5, room = exact_order + 3;
 
     const taylor_net<3>& s_;
@@ -298,7 +298,8 @@ private:
     number noise_, rest_, sizes_[4][4];
 };
 
-/// Computes all bounds and puts them into the result's lanes from i on.
+/// Computes all bounds of parts from their Taylor coefficients, and stores them in the result's
+/// lanes from i on.
 HWY_ATTR void take_bounds(const taylor_net<5>& normals, const taylor_net<3>& points, double size,
                           group_bounds& result, std::size_t i) {
     constexpr struct {

@@ -19,9 +19,9 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Series of normals are exact below this order. On the teapot, without quartering, the median of
-/// bound / exact for mixed third derivatives is 3.2 with order 6, 1.9 with 7 and 1.5 with 8. Order
-/// 8 takes a quarter more time than 7.
+/// Coefficients of normals' series are exact below this order. For mixed third derivatives on the
+/// teapot, without quartering, the median of bound / exact is 3.2 with order 6, 1.9 with order 7
+/// and 1.5 with order 8. Order 8 takes a quarter more time than order 7.
 constexpr std::size_t series_order = 7;
 
 /// Derivatives are bounded up to this order, inclusive.
@@ -50,9 +50,9 @@ HWY_ATTR HWY_INLINE void multiply(const series& a, const series& b, std::size_t 
     });
 }
 
-/// Computes g = 1 / sqrt(x), up to the order `most`. Let E multiply each coefficient by its order:
-/// it is the sum of the derivatives by both variables, each times its variable. Then x E g = - g E
-/// x / 2 gives one coefficient of g after another.
+/// Computes g = 1 / sqrt(x), up to the order `most`. Let E be the operator that multiplies each
+/// coefficient by its order: the sum of the derivatives by both variables, each times its variable.
+/// Then x E g = - g E x / 2 gives one coefficient of g after another.
 HWY_ATTR HWY_INLINE void inverse_root(const series& x, std::size_t most, series& g) {
     const number inverse = same(1) / x[0][0];
     for_powers(most, [&](std::size_t k, std::size_t l) HWY_ATTR {

@@ -18,10 +18,11 @@ constexpr double choose(std::size_t n, std::size_t k) {
 /// The weight of Bernstein coefficient `from` in the Taylor coefficient of t^power about the middle
 /// of a part. t runs from -1 to 1 across the part.
 ///
-/// De Casteljau's scheme at the middle computes it, with `power` levels of differences, times a
-/// binomial coefficient. That coefficient is degree! / (degree - power)! for the derivative, over
-/// power! for Taylor's series. A part is 1/8 of the patch, and t = 1 is half of that. The weight is
-/// a multiple of 2^-20, hence exact: for degree 5 it takes five products with sixteenths.
+/// De Casteljau's scheme at the middle computes the weight, with `power` steps of differences,
+/// times a binomial coefficient. The coefficient is degree! / (degree - power)! for the derivative,
+/// over power! for Taylor's series. A part is 1/8 of the patch, and t from 0 to 1 covers half of
+/// the part. The weight is a multiple of 2^-20, hence exact: for degree 5 it takes five products
+/// with sixteenths.
 template <std::size_t Degree>
 constexpr double taylor_weight(std::size_t part, std::size_t power, std::size_t from) {
     constexpr double half = 0.5 / bend_parts;

@@ -9,9 +9,9 @@ namespace l3d_detail {
 namespace {
 
 /// Limits of good bounds, which need no quartering. A bound is good up to `good_enough` times the
-/// true number, or up to an eighth of the largest of its kind. It is good, too, if it is too small
-/// to matter. That is a thousandth of a radian, or a bend of 2^-14 of the patch's size: a 16th of a
-/// pixel on a thousand pixels.
+/// true number, or up to an eighth of the largest number of its kind. A bound is also good if it is
+/// too small to matter. A turn up to a thousandth of a radian does not matter. Nor does a bend up
+/// to 2^-14 of the patch's size, a 16th of a pixel on a thousand pixels.
 constexpr double of_its_kind = 1.0 / 8, no_turn = 0x1p-10, no_bend = 0x1p-14;
 constexpr struct {
     std::size_t first, end;
@@ -22,11 +22,11 @@ constexpr struct {
           {bend_uu, bend_uuu, 1.2},
           {bend_uuu, bend_uuvv, 1.5}};
 
-/// The most halvings of a block's sides. The second number is for parts of which nothing is known,
-/// as around a corner without a normal.
+/// The largest number of halvings of a block's sides. The second number is for parts without
+/// bounds, as around a corner without a normal.
 constexpr int most_halvings = 4, most_halvings_of_unknown = 3;
 
-/// Turns a derivative by a part's parameters into one by its block's.
+/// Turns a derivative by a part's parameters into the derivative by its block's parameters.
 double of_block(double x, std::size_t number, int halvings) {
     return x * static_cast<double>(1 << (bend_orders[number] * halvings));
 }
@@ -95,7 +95,8 @@ void bends_of_blocks::add(std::size_t group, std::size_t lane, std::size_t block
         least_[n][block] = std::max(least_[n][block], of_block(of.middle[n][lane], n, halvings));
 }
 
-/// Finds which bounds are good enough in each block.
+/// Finds, for each number in each block, up to which bound no quartering is needed. by_good_ gets
+/// the reciprocal of that bound.
 void bends_of_blocks::judge() {
     for (const auto& kind : kinds)
         for (std::size_t block = 0; block < blocks; ++block) {
@@ -107,8 +108,9 @@ void bends_of_blocks::judge() {
         }
 }
 
-/// The factor by which the worst bound of a part exceeds a good one. It is 0 for a part that is not
-/// quartered any more. It is HUGE_VAL for a part without bounds, if anything is known of its block.
+/// The factor by which the worst bound of a part exceeds a good bound. It is 0 for a part that is
+/// not quartered any more. It is HUGE_VAL for a part without bounds, if another part of its block
+/// has bounds.
 double bends_of_blocks::looseness(const part& p) const {
     if (p.halvings == most_halvings)
         return 0;

@@ -12,20 +12,23 @@
 
 namespace l3d_detail {
 
-/// The bend numbers of a patch's blocks. Each is the largest of the bounds of the block's parts.
+/// Finds bounds of the bend numbers (bend_number) of a patch's blocks, for l3d_surface_bends. The
+/// bound of a number in a block is the largest of its bounds in the block's parts.
 ///
-/// At first a block has four parts. The number in the middle of a part is at most the block's true
-/// number. So it tells how loose a bound can be. The loosest parts are quartered, as long as there
-/// is room.
+/// At first a block has four parts. The number's value in the middle of a part is at most its
+/// largest value in the block. So the value tells how loose a bound can be. The loosest parts are
+/// quartered, as long as `groups` has room.
 class bends_of_blocks {
 public:
     bends_of_blocks(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
-    /// The bound of a number in a block, by the parameters of the block.
+    /// The bound of a bend number in a block, for derivatives by parameters from 0 to 1 across the
+    /// block.
     double most(std::size_t number, std::size_t block) const { return most_[number][block]; }
 
 private:
-    /// The most groups of parts: the first rows, and five of quarters. That takes 60 us a patch.
+    /// The largest number of groups of eight parts: one for each row of parts, and five for
+    /// quarters of the loosest parts. Bounding them all takes 60 us a patch.
     static constexpr std::size_t groups = bend_parts + 5;
     static constexpr std::size_t blocks = l3d_surface_bends::blocks;
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr float no_bound = std::numeric_limits<float>::infinity();
 
-/// Rounds x up to a float, or to infinity for a NaN. Rounding to nearest changes a float by 2^-24
-/// of it, or by 2^-150 if it is smaller than the smallest normal one, 2^-126.
+/// Rounds x up to a float, or to infinity for a NaN. Rounding to nearest changes x by at most 2^-24
+/// of it, or by 2^-150 if x is below the smallest normal float, 2^-126.
 float rounded_up(double x) {
     constexpr double most = 0x1p127;
     return x < most ? static_cast<float>(x * (1 + 0x1p-23)) + (x > 0 ? 0x1p-126F : 0.0F) : no_bound;
@@ -50,7 +50,7 @@ struct squared_scales {
     }
 
 private:
-    /// Rotates so that the entry (p, q) vanishes.
+    /// Rotates the matrix so that its entry (p, q) vanishes.
     static void rotate(double (&a)[3][3], int p, int q) {
         if (a[p][q] == 0)
             return;

@@ -18,7 +18,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The Taylor coefficients by u of a net's rows, about the middles of the columns of parts.
+/// The Taylor coefficients by u of the rows of a net, about the middles of the eight columns of
+/// parts. They are the first step to the parts' coefficients by u and v.
 template <std::size_t Degree> class part_columns {
 public:
     /// Shape: net[component][row][column].
@@ -35,7 +36,7 @@ public:
                     }
     }
 
-    /// Writes the Taylor coefficients by u and v for a row of parts.
+    /// Writes the Taylor coefficients by u and v of the parts in row `part`.
     HWY_ATTR void put(std::size_t part,
                       double (&out)[Degree + 1][Degree + 1][3][part_lanes]) const {
         for (std::size_t i = 0; i < part_lanes; i += lanes_at_once())
@@ -53,12 +54,13 @@ public:
 private:
     static constexpr auto& weights = weights_of_taylor<Degree>;
 
-    /// [power][component][row][column of parts]
+    /// The coefficients: [power of u][component][row of the net][column of parts].
     alignas(64) double at_[Degree + 1][3][Degree + 1][part_lanes];
 };
 
-/// Turns Taylor coefficients of parts into those of their quarters, a quarter a lane. Horner's
-/// scheme moves the middle by half of the old parameter. The new parameter runs half as far.
+/// Turns the Taylor coefficients of parts into the coefficients of their quarters, a quarter a
+/// lane. A quarter's middle is at 1/2 or -1/2 of each old parameter; Horner's scheme moves the
+/// series there. The new parameters run half as far as the old ones.
 template <std::size_t Degree>
 HWY_ATTR void quarter_net(double (&net)[Degree + 1][Degree + 1][3][part_lanes]) {
     alignas(64) static constexpr double side_u[part_lanes]{-.5, .5, -.5, .5, -.5, .5, -.5, .5};

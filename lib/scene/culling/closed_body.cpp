@@ -13,7 +13,8 @@ using patch = l3d_bezier_patch<double, 3>;
 using curve = patch::curve;
 using vector = l3d_facing_cones::vector;
 
-/// Whether each edge meets exactly one other edge, which runs the other way.
+/// Whether each edge of each patch meets exactly one other edge, which runs in the opposite
+/// direction.
 bool has_no_boundary(std::span<const patch> patches, std::span<const l3d_halved_side> halved) {
     std::vector<std::array<double, 12>> there, back;
     const auto add = [&](const curve& edge) {

@@ -13,7 +13,7 @@ namespace {
 
 using vector = l3d_facing_cones::vector;
 
-/// Coefficients below this have no direction, since they may be nothing but rounding
+/// Normals' coefficients shorter than this have no direction, since they may be rounding alone
 /// (l3d_normal_columns).
 constexpr double no_direction = 0x1p-40;
 
@@ -35,8 +35,8 @@ void l3d_facing_cones::ball_and_cone::hold_points(std::span<const vector> points
         radius = std::max(radius, l3d_length(p - centre));
 }
 
-/// Makes the cone of the coefficients. If it is narrower than a half-space, it holds all their
-/// positive combinations.
+/// Makes the cone that holds a net's normals from the net's coefficients. A cone narrower than a
+/// half-space holds all positive combinations of the coefficients, so all normals.
 void l3d_facing_cones::ball_and_cone::hold_normals(std::span<const vector> normals) {
     vector sum{0.0, 0.0, 0.0};
     for (const vector& n : normals)
@@ -76,9 +76,10 @@ void l3d_facing_cones::set(std::size_t block, const ball_and_cone& of) {
     sine_[block] = of.sine;
 }
 
-/// Tests the cone and the ball. Every S of the ball is at most distance + radius away, and (S -
-/// from) . axis is at least that of the centre less the radius. A vector is within a right angle of
-/// the whole cone if its cosine with the axis exceeds the cone's sine.
+/// Tests the cone and the ball of the patch, then of each block. Every S of a ball is at most
+/// distance + radius away, and (S - from) . axis is at least its value at the centre less the
+/// radius. A vector is within a right angle of the whole cone if its cosine with the axis exceeds
+/// the cone's sine.
 unsigned l3d_facing_cones::away_from(const vector& from, double side) const {
     const double reach = slack * (std::abs(from[0]) + std::abs(from[1]) + std::abs(from[2]));
     // The test of the whole patch compares squares, since a root would be half of the work.

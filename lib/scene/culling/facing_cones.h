@@ -11,8 +11,9 @@
 #include <cstdint>
 #include <span>
 
-/// Finds the blocks of a patch that certainly show their back. It holds a ball around the points
-/// and a cone around the normals dS/du x dS/dv, of the patch and of its 4 x 4 blocks.
+/// Finds the blocks of a patch that certainly show their back. For the patch and for each of its 4
+/// x 4 blocks, it holds two bounds: a ball around the points, and a cone around the normals dS/du x
+/// dS/dv.
 ///
 /// Shape: block 4 * row + column, columns along u. The object begins with a line of the cache,
 ///        since most questions need the patch's own cone alone.
@@ -24,9 +25,9 @@ public:
 
     l3d_facing_cones(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
-    /// Finds the blocks whose normals all point away from the point `from`, as bits. For every
-    /// point S and every normal n of such a block, (S - from) . n > 0. With `side` = -1, it finds
-    /// those whose normals point towards it.
+    /// Finds the blocks whose normals all point away from the point `from`. The result has a bit
+    /// for each block. For every point S and every normal n of such a block, (S - from) . n > 0.
+    /// With `side` = -1, it finds the blocks whose normals all point towards `from`.
     /// Expects: side is 1 or -1.
     /// Cost:    some 20 operations, and 25 with a root for each block unless all of the patch turns
     ///          one side to the point.

@@ -16,20 +16,23 @@ namespace {
 
 using l3d_detail::culled_boxes;
 
-/// The number of patches in the first batch, and in the largest; each batch is twice as large as
-/// the one before. The nearest patches hide most, so the first batches are small. Each batch costs
-/// some 0.1 ms by itself. That is little beside 1024 patches, which take at least 1 ms to dice.
+/// The numbers of patches in the first batch, and in the largest batches. Until then, each batch is
+/// twice as large as the batch before. The nearest patches hide most, so the first batches are
+/// small. Each batch costs some 0.1 ms by itself. This is little beside 1024 patches, which take at
+/// least 1 ms to dice.
 constexpr std::size_t first_batch = 64, largest_batch = 1024;
 
 /// Largest ratio of the farthest to the nearest w of a box that is tested for being hidden. Above
-/// it, the error of a walked w, up to 1e-5 of the farthest, could be over 2^-12 of the nearest.
+/// this ratio, the error of a walked w, up to 1e-5 of the farthest w, could be over 2^-12 of the
+/// nearest w.
 constexpr double most_depth_ratio = 16;
 
 l3d_image_box box_of(const culled_boxes& boxes, std::size_t i) {
     return {boxes.left[i], boxes.top[i], boxes.right[i], boxes.bottom[i]};
 }
 
-/// Finds the count that box i adds to, by the reason why it is left out; null if it may be seen.
+/// Finds the reason why box i is left out. Returns the counter for this reason; null if the box may
+/// be seen.
 std::int64_t* reason_to_leave_out(const culled_boxes& boxes, std::size_t i,
                                   const l3d_dice_view& view, l3d_dice_counts& counts) {
     return l3d_reason_to_leave_out(
@@ -48,22 +51,22 @@ bool is_hidden(const auto& where, bool (*hidden)(const void*, const l3d_subpixel
 
 /// Bound of the error of a balanced vertex's w, for a net with w from `least` to `most`.
 ///
-/// The vertex errs by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter and has two steps. f''
-/// <= 6 * 2 (most - least). Errors along u and along v add up to 0.0322 (most - least). Their
-/// common effect is below 0.001 of it.
+/// The vertex errs by l3d_balance h^2 f''. h <= 1/8, as a strip is a quarter of the net and has two
+/// steps or more. f'' <= 6 * 2 (most - least). Errors along u and along v add up to 0.0322 (most -
+/// least). Their common effect is below 0.001 (most - least).
 double balance_of_w(double least, double most) {
     return (most - least) / 30;
 }
 
 /// Upper bound of the depth at w >= `least`, rounding included. w may be too large by `error`, and
-/// by 2^-12 of itself.
+/// by another 2^-12 of w.
 float inv_w_above(double least, double error, const l3d_dice_view& view) {
     if (view.is_parallel())
         return view.depth_at(least - error) * (1 + 0x1p-12F);
     return static_cast<float>(view.depth_scale / ((least - error) * (1 - 0x1p-12)));
 }
 
-/// A box of the picture in sub-pixels, rounded outwards. Expects: it lies within the margin.
+/// A box of the picture in sub-pixels, rounded outwards. Expects: the box lies within the margin.
 l3d_subpixel_box subpixels(const l3d_image_box& box, const l3d_dice_view& view) {
     // A cast rounds down, except left of or above the window, where there is no pixel to miss.
     const l3d_image_box window = view.window();
@@ -94,8 +97,8 @@ l3d_scene_culling::ticket l3d_scene_culling::ticket_of(const extent& where, std:
     return ticket{std::bit_cast<std::uint32_t>(where.nearest_w)} << 32 | at;
 }
 
-/// Gives box i a w to sort it by. Also gives the box in the picture, and the depth, with which the
-/// caller decides whether it is hidden.
+/// Finds the place of box i: the w by which it is sorted, and the box in the picture and the depth
+/// that `hidden` needs.
 l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes,
                                                        std::size_t i) const {
     // In a parallel projection all w are nearly alike, so a float holds the difference from a base.
@@ -118,10 +121,10 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 }
 
 /// Calls see(box, extent) for each box that may be seen, and leave_out(box, count of the reason)
-/// for the others. If only a part of the picture is drawn, the others all count as unchanged.
+/// for the other boxes. If only a part of the picture is drawn, all other boxes count as unchanged.
 ///
-/// A `followed` box has edges along which strips go on beside its neighbours. So its place in the
-/// picture is the only reason to leave it out.
+/// A `followed` box has patches whose trims follow edges. Their strips reach beyond them, beside
+/// neighbours. So the box' place in the picture is the only reason to leave it out.
 template <class Followed, class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                                 const l3d_detail::placing_terms& terms, Followed followed, See see,
@@ -205,7 +208,7 @@ void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* conte
 }
 
 /// Sorts the nearest patches of the waiting line to its end, the nearest last. A long line is
-/// sorted by eighths: each patch is looked at up to eight times, and sorted once.
+/// sorted an eighth at a time: each patch is looked at up to eight times, and sorted once.
 void l3d_scene_culling::sort_nearest(std::size_t count) {
     if (sorted_ >= count)
         return;
@@ -216,8 +219,8 @@ void l3d_scene_culling::sort_nearest(std::size_t count) {
     std::sort(nearest, patch_line_.end(), std::greater{});
 }
 
-/// Moves the nearest patches from the waiting line to the batch, except hidden ones. Expects: the
-/// line has that many.
+/// Moves the `count` nearest patches from the waiting line to the batch, except for hidden patches.
+/// Expects: the line has so many patches.
 void l3d_scene_culling::take_from_line(std::size_t count, hidden_call hidden, const void* context) {
     sort_nearest(count);
     for (std::size_t i = 0; i < count; ++i) {

@@ -25,19 +25,19 @@ struct placing_terms;
 struct l3d_placed_patch {
     std::uint32_t instance = 0; ///< index in the scene
     std::uint32_t patch = 0;    ///< index in the instance's model
-    std::uint32_t matrix = 0;   ///< its index for l3d_scene_culling::matrix
-    /// The least w of its box, in the view's units; near, if that is larger. In a parallel
-    /// projection it is counted from a w below which nothing lies.
+    std::uint32_t matrix = 0;   ///< index of the instance's matrix in l3d_scene_culling
+    /// The least w of the patch's box, or the near plane's w if that is larger, in the view's
+    /// units. In a parallel projection, w is counted from a value below which nothing lies.
     float nearest_w = 0;
-    std::int32_t middle = 0; ///< row of its box's middle; 0 if that is not known
+    std::int32_t middle = 0; ///< picture row of the middle of the patch's box; 0 if unknown
 };
 
 /// Hands out the visible patches of a scene in batches, nearest first.
 ///
-/// Whole instances are looked at first, by their boxes: a patch of an instance that is not seen
-/// costs nothing of its own. The other instances are opened in turn, nearest first, and the boxes
-/// of their patches are looked at. A box proves less than a control net. So some patches are handed
-/// out although their nets would prove them unseen.
+/// Whole instances are looked at first, by their boxes. So the patches of an instance that is not
+/// seen cost nothing. The other instances are opened in turn, nearest first, and the boxes of their
+/// patches are looked at. A box proves less than a control net. So some patches are handed out
+/// although their nets would prove that they are unseen.
 /// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
 /// Cost:  measured by tests/bench/scaling_bench.cpp; no allocation once the largest frame has been
 ///        seen.
@@ -52,16 +52,17 @@ public:
         begin(scene, to_image, view, l3d_whole(view.size));
     }
 
-    /// Starts a frame of which only a part is wanted: patches that touch no pixel of the part are
-    /// left out.
+    /// Starts a frame of which only a part of the picture is wanted. Patches that touch no pixel of
+    /// the part are left out.
     void begin(const l3d_patch_scene& scene, const l3d_matrix<double>& to_image,
                const l3d_dice_view& view, const l3d_pixel_box& part);
 
-    /// Hands out the next batch, its nearest patch first; empty if there are no more.
+    /// Hands out the next batch of patches, the batch's nearest patch first. The result is empty if
+    /// no patches are left.
     ///
     /// A batch takes the nearest patches of the open instances. So a patch may be farther than some
-    /// of the next batch, by the depth of its instance at most. Batches grow, since near patches
-    /// hide most and each batch has its price.
+    /// patches of the next batch, by the depth of its instance at most. Batches grow, since the
+    /// nearest patches hide most and each batch has a fixed cost.
     ///
     /// `hidden(box, inv_w)` tells whether a thing in a box and no nearer than inv_w (1 / distance
     /// along the view axis) would change no pixel. It is called from the second batch on, so the
@@ -79,7 +80,8 @@ public:
     /// Whether next() has nothing more to hand out.
     bool is_done() const { return left_ == 0; }
 
-    /// The matrix from an instance's model to the image: to_image times its placement.
+    /// The matrix from the model of a patch to the picture: to_image times the instance's
+    /// placement.
     const l3d_matrix<double>& matrix(const l3d_placed_patch& p) const {
         return matrices_[p.matrix];
     }
@@ -93,7 +95,7 @@ private:
     /// The place of a thing in the picture.
     struct extent {
         float nearest_w;
-        float inv_w; ///< for the caller's `hidden`; infinite if that cannot tell
+        float inv_w; ///< the argument of `hidden`; infinite where `hidden` is not to be asked
         l3d_subpixel_box box;
     };
     struct seen_instance {
@@ -104,8 +106,8 @@ private:
         extent where;
         std::uint32_t instance, patch, matrix;
     };
-    /// An entry of the queue, which an integer sort puts in order. The upper bits are those of
-    /// nearest_w, since floats from 0 up are in the order of their bits. The lower ones are an
+    /// An entry of a queue, which an integer sort puts in order. The upper bits are those of
+    /// nearest_w, since floats from 0 up are in the order of their bits. The lower bits are an
     /// index in instances_ or patches_.
     using ticket = std::uint64_t;
 
@@ -124,12 +126,12 @@ private:
     const l3d_patch_scene* scene_ = nullptr;
     l3d_matrix<double> to_image_;
     l3d_dice_view view_;
-    l3d_image_box margin_; ///< box of the wanted part of the picture
+    l3d_image_box margin_; ///< l3d_dice_view::margin of the wanted part of the picture
     bool is_part_ = false;
     l3d_dice_counts counts_;
 
     std::vector<seen_instance> instances_;
-    std::vector<ticket> instance_line_; ///< farthest first
+    std::vector<ticket> instance_line_; ///< tickets of unopened instances, the farthest first
     std::vector<seen_patch> patches_;   ///< patches of the instances that were opened
     std::vector<ticket> patch_line_;
     std::size_t sorted_ = 0; ///< how many at the end of patch_line_ are sorted, the nearest last

@@ -20,13 +20,15 @@ namespace HWY_NAMESPACE {
 constexpr std::size_t lanes = l3d_box_lanes::lanes;
 using row = culled_boxes::row;
 
-/// One homogeneous coordinate of the boxes: the centre's, and the change along each axis.
+/// One homogeneous coordinate of a row of boxes: its value in the centre, and its change along each
+/// axis.
 struct coordinate {
     row centre;
     std::array<row, 3> axes;
 };
 
-/// Computes sums in a row of their own. So the compiler knows that no other data overlaps it.
+/// Computes m . (x, y, z, 1) + more for each box. The sums are in a row of their own, so the
+/// compiler knows that no other data overlap it.
 row sums(const l3d_vector<double, 4>& m, const double* x, const double* y, const double* z,
          double more) {
     row result;
@@ -44,7 +46,8 @@ coordinate placed(const l3d_box_lanes& boxes, std::size_t first, const l3d_vecto
             {axis(0), axis(1), axis(2)}};
 }
 
-/// Lowers `inside` to how far the boxes reach into a half-space: the largest sign (x - at w).
+/// Lowers `inside` to the boxes' largest value of sign (x - at w): how far they reach into a
+/// half-space.
 void keep_inside(const coordinate& x, const coordinate& w, double at, double sign, const row& share,
                  const l3d_dice_view& view, row& inside) {
     const double error = view.error_xy + std::abs(at) * view.error_w;
@@ -57,9 +60,9 @@ void keep_inside(const coordinate& x, const coordinate& w, double at, double sig
     }
 }
 
-/// The range of x / w where w is at least `least`. With X = x / w of the centre, x' / w' - X = (x'
-/// - X w') / w', and the numerator is 0 in the centre. So the range is narrow where w varies
-/// little.
+/// Finds the range of x / w in each box, where w is at least `least`. With X = x / w of the box'
+/// centre, x' / w' - X = (x' - X w') / w' for any point. The numerator is 0 in the centre. So the
+/// range is narrow where w varies little.
 void project(const coordinate& x, const coordinate& w, const row& least, const row& share,
              const l3d_dice_view& view, row& low, row& high) {
     for (std::size_t i = 0; i < lanes; ++i) {

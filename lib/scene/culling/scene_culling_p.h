@@ -12,30 +12,32 @@
 
 namespace l3d_detail {
 
-/// Terms of the sum of magnitudes that bounds rounding errors (l3d_patch_instance::reach). The sum
-/// for a box is its l3d_slanted_box::reach, plus `columns` times the largest coordinates in the
-/// box, plus `shift`.
+/// Terms of the sum of magnitudes in proportion to which places are rounded
+/// (l3d_patch_instance::reach). The sum for a box is its l3d_slanted_box::reach, plus `columns`
+/// times the largest coordinates in the box, plus `shift`.
 struct placing_terms {
     l3d_vector<double, 3> columns{0.0, 0.0, 0.0};
     double shift = 0;
 };
 
-/// The places of a row of boxes in the picture. Bounds hold for all points in a box, and include
-/// the error of the transform.
+/// Places in the picture of a row of boxes, one box in each element. Bounds hold for all points in
+/// a box, and include the error of the transform.
 struct culled_boxes {
     using row = std::array<double, l3d_box_lanes::lanes>;
 
     row least, most; ///< bounds of w
-    row inside;      ///< below 0 if wholly beyond one side of the margin
+    row inside;      ///< below 0 if the box is wholly beyond one side of the margin
     row share;       ///< share of the view's errors: l3d_dice_view::share_of
     row near;        ///< the near plane for that share
 
-    /// The boxes in the picture, in pixels from its centre. They are valid where `least` is greater
-    /// than `near`. If no such box is inside the margin, they are not written.
+    /// The boxes' extents in the picture, in pixels from its centre. They are valid where `least`
+    /// is greater than `near`. If no box with valid extents is inside the margin, they are not
+    /// written.
     row left, right, top, bottom;
 };
 
-/// The input that all boxes share: the matrix, the view and the wanted part of the picture.
+/// The input of cull_boxes that all boxes share: the matrix, the view and the wanted part of the
+/// picture.
 /// Lives: borrows all.
 struct box_placing {
     const l3d_matrix<double>& to_image; ///< from the boxes' space to (x, y, -, w) in view's units
@@ -44,16 +46,17 @@ struct box_placing {
     const l3d_image_box& margin; ///< l3d_dice_view::margin of the part of the picture that matters
 };
 
-/// Places the boxes from `first` to first + lanes - 1. Results beyond the last box have no meaning.
+/// Finds the places in the picture of the boxes from `first` to first + lanes - 1. Results beyond
+/// the last box have no meaning.
 ///
 /// Expects: first is a multiple of l3d_box_lanes::lanes.
 /// Cost:    some 190 operations a box, three of them divisions.
 void cull_boxes(const l3d_box_lanes& boxes, std::size_t first, const box_placing& placing,
                 culled_boxes& result);
 
-/// The box in the picture that holds all drawn points of box i. The box in the scene holds the
-/// exact surface, whatever the transform's error. Drawn vertices leave the surface since they are
-/// balanced and snapped, and since walking errs by at most l3d_dice_view::walk_allowance.
+/// The box in the picture that holds all drawn points of the surface in box i. The exact surface is
+/// inside box i of `boxes`. Drawn vertices may lie beside it: they are balanced and snapped, and
+/// walking errs by at most l3d_dice_view::walk_allowance.
 /// Units:   pixels from the picture's centre.
 /// Expects: boxes.least[i] is greater than boxes.near[i], and the box not wholly outside.
 l3d_image_box drawn_box_of(const culled_boxes& boxes, std::size_t i, const l3d_dice_view& view);

@@ -6,8 +6,8 @@
 
 namespace {
 
-/// Whether opposite corners of a net are more than a pixel apart in x and in y. Most patches are,
-/// and need no box of their net.
+/// Whether opposite corners of a net are more than a pixel apart in x and in y. Most patches are so
+/// large, and need no box of their net.
 bool is_wider_than_a_pixel(const l3d_image_patch& net) {
     const auto is_wider = [&](int along) {
         return l3d_far_apart(net.at(0, 0), net.at(3, 3), along, 1) ||

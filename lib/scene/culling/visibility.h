@@ -8,12 +8,13 @@
 
 #include <cstdint>
 
-/// Whether a drawn surface in `hull` covers no pixel's centre, even when snapping moves it by half
-/// a sub-pixel.
+/// Whether a surface whose exact points are in `hull` covers no pixel's centre when it is drawn.
+/// Snapping may move it by half a sub-pixel.
 bool l3d_holds_no_centre(const l3d_image_box& hull, const l3d_dice_view& view);
 
-/// The counter for the reason why a thing at these depths is left out; null if it may be seen.
-/// `is_outside` and `holds_no_centre` are asked only if depth gives no reason.
+/// Finds the reason why a thing at these depths is left out. Returns the counter for the reason, or
+/// null if the thing may be seen. `is_outside` and `holds_no_centre` are called only if depth gives
+/// no reason.
 template <class Outside, class Centreless>
 std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_dice_view& view,
                                       const Outside& is_outside, const Centreless& holds_no_centre,
@@ -29,8 +30,8 @@ std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_di
     return !view.keep.centreless && holds_no_centre() ? &counts.subpixel : nullptr;
 }
 
-/// Whether a patch need not be diced, since its net proves that it is not seen, and no switch of
-/// view.keep asks for it. The reason is counted.
+/// Whether a patch need not be diced: its net proves that the patch is not seen, and no switch of
+/// view.keep asks for it. The reason is counted in `counts`.
 bool l3d_left_out(const l3d_image_net& net, const l3d_dice_view& view, l3d_dice_counts& counts);
 
 #endif

@@ -18,25 +18,25 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// The angle from which a side is a crease: eight levels of Lambert's grey, as in
-/// l3d_patch_neighbours, which are two degrees.
+/// The angle from which on a side is a crease, two degrees: it changes Lambert's shade by eight
+/// levels, as in l3d_patch_neighbours.
 constexpr double least_angle = 8 / 229.5;
 
-/// A side of a piece, or a part of it: v = 0, u = 1, v = 1, u = 0, in the order in which one walks
-/// round the piece.
+/// A side of a piece, or a part of a side. Sides are v = 0, u = 1, v = 1, u = 0, in the order in
+/// which one walks round the piece.
 struct side {
     std::size_t piece, number;
     double from = 0, to = 1; ///< where the part begins and ends on the side
 
-    /// The parameter that is equal along the side: 0 for u, 1 for v; and its value.
+    /// The parameter that is constant along the side: 0 for u, 1 for v. at_end() is its value.
     std::size_t across() const { return number % 2 == 0 ? 1 : 0; }
     double at_end() const { return number == 1 || number == 2 ? 1 : 0; }
     std::array<double, 2> place(double t) const {
         return l3d_side_pairs::place_on(number, on_side(t));
     }
-    /// The parameter on the whole side for parameter t of the part.
+    /// The parameter on the whole side for the parameter t of the part.
     double on_side(double t) const { return from + (to - from) * t; }
-    /// The parameter of a place of the part; below 0 for any other place.
+    /// The part's parameter at the place (u, v); below 0 if the place is not on the part.
     double parameter(double u, double v) const {
         const double along = number % 2 == 0 ? u : v, across = number % 2 == 0 ? v : u;
         if (across != (number == 1 || number == 2 ? 1 : 0))
@@ -53,7 +53,8 @@ struct side {
 
 constexpr int places_of_side = 5;
 
-/// A side and its places in the world, at equal steps of its parameter.
+/// A side, and some of its places in the world, at equal steps of its parameter. Sides that
+/// coincide are found by these places.
 struct placed_side {
     side of;
     std::size_t instance;
@@ -78,7 +79,7 @@ struct placed_side {
     }
 };
 
-/// The curve along a side. Shape: a net with n = 0.
+/// The curve along a side of a net. Shape: a net with n = 0.
 bernstein_net curve_along(const bernstein_net& net, std::size_t number) {
     const int degree = number % 2 == 0 ? net.m : net.n;
     bernstein_net result(degree, 0, net.dims);
@@ -91,8 +92,8 @@ bernstein_net curve_along(const bernstein_net& net, std::size_t number) {
     return result;
 }
 
-/// The surface's curve above a straight line between two places of parameters. It is the diagonal
-/// of the net's part between them, since B_i(t) B_j(t) is a multiple of B_(i+j)(t).
+/// The curve on the surface over the straight line of parameters from a to b. It is the diagonal of
+/// the net's part between a and b, since B_i(t) B_j(t) is a multiple of B_(i+j)(t).
 bernstein_net curve_between(const bernstein_net& net, const l3d_trim_place& a,
                             const l3d_trim_place& b) {
     const bernstein_net part = net.part(a[0], b[0], a[1], b[1]);
@@ -116,7 +117,7 @@ void for_sides_on(const l3d_trim_region& region, std::size_t along, double at, c
         }
 }
 
-/// Whether a piece reaches one of its sides with more than edges of the model.
+/// Whether any stretch of a side is left by the piece's trims and follows no edge of the model.
 bool reaches(const image_piece& piece, const side& one) {
     bool result = !piece.is_trimmed;
     if (piece.is_trimmed)
@@ -127,7 +128,7 @@ bool reaches(const image_piece& piece, const side& one) {
     return result;
 }
 
-/// Sides at the same places. Each tells whether it runs in the direction of the first.
+/// Sides that coincide. `forward` tells whether each runs in the direction of the first.
 struct met_sides {
     std::vector<side> sides;
     std::vector<bool> forward;
@@ -166,8 +167,9 @@ private:
     std::vector<drawn_chain> chains_;
 };
 
-/// Pairs sides that are the same: five of their places agree to about a thousandth of a pixel. A
-/// side that meets no other may meet two of half the size.
+/// Finds sides that coincide, and adds their lines. Sides coincide if their places agree to about a
+/// thousandth of a pixel. A side that coincides with no other side may coincide with a half of
+/// another side, or its halves with other sides.
 void border_search::pair_sides() {
     std::vector<placed_side> all;
     vector least(std::numeric_limits<double>::max()), most(-least[0]);
@@ -274,8 +276,8 @@ void border_search::add_side(const met_sides& met) {
         add(sides[0], 0, 1, l3d_line_kind::crease, pieces);
 }
 
-/// Adds the stretches of a common side that are a contour. Between neighbouring ends of the pieces'
-/// contours, it is one if just one of both pieces shows its front.
+/// Adds the stretches of a common side that are contours. A stretch lies between neighbouring ends
+/// of the pieces' contours. It is a contour if just one of both pieces shows its front.
 void border_search::add_contours(const side& a, const side& b, bool turns) {
     std::vector<double> ends{0, 1};
     for (const side* const one : {&a, &b})
@@ -298,8 +300,8 @@ void border_search::add_contours(const side& a, const side& b, bool turns) {
     }
 }
 
-/// The parts of a line of equal u (along = 0) or equal v (along = 1) that a region has, without
-/// those that follow edges of the model.
+/// The parts of a line of equal u (along = 0) or equal v (along = 1) that are in a region and
+/// follow no edges of the model.
 std::vector<std::array<double, 2>> free_stretches(const l3d_trim_region& region, std::size_t along,
                                                   double at) {
     std::vector<std::array<double, 2>> result = region.stretches(along, at), edges;

@@ -11,14 +11,15 @@ namespace l3d_detail {
 
 namespace {
 
-/// Bound of the rounding that all halvings add. Each adds less than 2^-53 for each degree: 44 x 48
-/// of these at most.
+/// Bound of the relative rounding that all halvings of a net add. Each halving adds less than 2^-53
+/// for each degree; at most 48 halvings of degree 44 are made.
 constexpr double relative_rounding = 0x1p-41;
 
 /// Enough halvings to divide a piece by 2^24 both ways.
 constexpr int most_halvings = 48;
 
-/// A part of a piece.
+/// A rectangle of a piece's parameters, with the nets of surface and contour over it. The search
+/// for contours halves cells.
 struct cell {
     bernstein_net net, contour;
     double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
@@ -37,13 +38,14 @@ struct cell {
         low.halvings = high.halvings = halvings + 1;
         return result;
     }
-    /// Corners in the order in which one walks round the cell.
+    /// The parameters of corner k, in the order in which one walks round the cell.
     std::array<double, 2> corner(std::size_t k) const {
         return {k == 1 || k == 2 ? u1 : u0, k >= 2 ? v1 : v0};
     }
 };
 
-/// An end of an arc: where it crosses a line of equal u (axis 0) or equal v (axis 1).
+/// An end of an arc of a contour, where the arc crosses a line of equal u (axis 0) or equal v (axis
+/// 1).
 struct arc_end {
     surface_vertex there;
     int axis = 0;
@@ -55,7 +57,8 @@ struct arc_end {
 
 using arc = std::array<arc_end, 2>;
 
-/// The values along an edge of a cell, in the order of its walk.
+/// The coefficients of the contour's polynomial along an edge of a cell, in the order of a walk
+/// round the cell.
 struct edge_values {
     std::array<double, bernstein_net::most_degree + 1> c;
     std::size_t degree;
@@ -155,12 +158,12 @@ private:
     std::size_t number_;
     const drawing_view& view_;
     double tolerance_;
-    double rounding_ = 0; ///< bound for values in any cell
+    double rounding_ = 0; ///< bound of the rounding of the polynomial's values
     std::vector<arc> arcs_;
 };
 
 /// The signs of the contour's polynomial at the corners. All cells with a common corner agree on
-/// its sign: if rounding may change it, the value comes from the whole piece.
+/// its sign. If rounding may change the sign, the value is computed from the whole piece.
 std::array<bool, 4> contour_search::signs_of(const cell& of) const {
     const bernstein_net& f = of.contour;
     const std::array<double, 4> values{*f.at(0, 0), *f.at(0, f.m), *f.at(f.n, f.m), *f.at(f.n, 0)};
@@ -192,7 +195,7 @@ void contour_search::search(cell of) {
     search(std::move(halves.second));
 }
 
-/// Adds the contour of a cell if it is known well enough. Returns whether it is.
+/// Adds the contour's arc in a cell if it is known well enough. Returns whether the cell is done.
 bool contour_search::settle(const cell& of) {
     const flat_image flat(of.net);
     if (flat.error > tolerance_)
@@ -226,9 +229,9 @@ bool contour_search::settle(const cell& of) {
     return true;
 }
 
-/// A bound of the distance between the arc and its chord in the picture. The contour's polynomial
-/// is linear except for `off`. So the arc lies in a strip of the cell, and the corners of this
-/// strip are no farther from the chord than the bound.
+/// A bound of the distance between an arc in a cell and its chord, in the picture. The contour's
+/// polynomial is linear except for `off`. So the arc lies in a strip of the cell, and the corners
+/// of this strip are no farther from the chord than the bound.
 double contour_search::bound_of(const cell& of, const flat_image& flat, const arc& by) const {
     const bernstein_net& f = of.contour;
     const double f00 = *f.at(0, 0), f01 = *f.at(0, f.m), f10 = *f.at(f.n, 0), f11 = *f.at(f.n, f.m);
@@ -292,7 +295,7 @@ void contour_search::add_by_signs(const cell& of) {
         arcs_.push_back({ends[k], ends[k + 1]});
 }
 
-/// Joins arcs whose ends are the same place of a line of equal u or v.
+/// Joins arcs that end at the same place of a line of equal u or v.
 std::vector<surface_line> contour_search::lines() {
     struct reference {
         std::size_t arc, end;

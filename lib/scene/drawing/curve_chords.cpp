@@ -39,8 +39,8 @@ void curve_chords::add(const bernstein_net& curve,
     add(high, place, middle, to, halvings + 1);
 }
 
-/// Whether a curve is as good as its chord. Depths may be off four times as much as places, since
-/// they only decide which is in front.
+/// Whether a chord may stand for a curve. Depths may be off four times as much as places, since
+/// they only decide which line or surface is in front.
 bool curve_chords::is_flat(const bernstein_net& curve) const {
     const auto place = [](const double* p) {
         return image_place{p[0] / p[2], p[1] / p[2], p[3] / p[2]};

@@ -14,17 +14,20 @@
 
 namespace l3d_detail {
 
-/// Turns curves into chords, which it adds to lines. A curve that begins where the one before ends
-/// goes on with its line. Parts behind the near plane or beside the picture are left out.
+/// Turns curves on a piece into polylines of chords in the picture. A curve that begins where the
+/// curve before ends continues its polyline. Parts behind the near plane or beside the picture are
+/// left out.
 ///
-/// Curves are halved until all control points are within the tolerance of the chord.
+/// A curve is halved until all control points of each part are within the tolerance of the part's
+/// chord.
 class curve_chords {
 public:
     /// Lives: borrows the view.
     curve_chords(std::size_t piece, const drawing_view& view, double tolerance)
         : piece_(piece), view_(view), tolerance_(tolerance) {}
 
-    /// Adds a curve, a net with n = 0. `place(t)` gives its parameters at t, from 0 to 1.
+    /// Adds a curve. It is a net with n = 0. `place(t)` gives the parameters u and v on the piece
+    /// for the curve's parameter t, from 0 to 1.
     void add(const bernstein_net& curve,
              const std::function<std::array<double, 2>(double)>& place) {
         add(curve, place, 0, 1, 0);

@@ -23,7 +23,8 @@ l3d_trim_place between(const l3d_trim_place& a, const l3d_trim_place& b, double 
     return {a[0] + (b[0] - a[0]) * t, a[1] + (b[1] - a[1]) * t};
 }
 
-/// Where a place is on a side of a polygon, from 0 to 1; below 0 if it is not.
+/// The share of the way from a to b, along the side of a polygon, at which a place lies. It is
+/// below 0 if the place does not lie on the side.
 double part_on(const l3d_trim_place& a, const l3d_trim_place& b, const surface_vertex& at) {
     constexpr double rounding = 1e-9; // cuts at a side err by less; any side is far longer
     const double du = b[0] - a[0], dv = b[1] - a[1], square = du * du + dv * dv;
@@ -169,8 +170,9 @@ void edge_joints::end_on_edges(std::span<std::vector<surface_line>> contours, do
     }
 }
 
-/// The parameters that divide an edge, so that between two of them the same pieces have it. Pieces
-/// of one face end a little apart, as each makes polygons of its own.
+/// The parameters that divide an edge into stretches, so that the same pieces end at all of a
+/// stretch. Pieces of one face may have ends that differ a little, as each piece makes polygons of
+/// its own.
 std::vector<double> edge_joints::cuts_of(std::size_t edge) const {
     std::vector<double> all;
     for (const edge_use& use : uses_[edge])
@@ -203,8 +205,8 @@ bool edge_joints::is_smooth(const edge_use& a, const edge_use& b, double from, d
     return true;
 }
 
-/// Adds the lines along a stretch of an edge. A smooth edge is a contour between two neighbouring
-/// ends of the pieces' contours if just one of both pieces shows its front.
+/// Adds the lines along a stretch of an edge. A smooth edge is divided at the ends of the pieces'
+/// contours. A stretch is a contour if just one of both pieces shows its front there.
 void edge_joints::add_joint(std::size_t edge, const edge_use& a, const edge_use& b, double from,
                             double to, bool with_joints, std::vector<drawn_chain>& result) const {
     const std::vector<std::size_t> sides{a.piece, b.piece};

@@ -13,29 +13,29 @@
 
 namespace l3d_detail {
 
-/// An edge of a model in the picture.
+/// An edge of a model, placed in the picture.
 struct image_edge {
     struct span {
         double from, to;   ///< parameters of the edge
-        bernstein_net net; ///< n = 0, 4 dims, as drawing_view::placed
+        bernstein_net net; ///< the curve in the picture: n = 0, 4 dims, as drawing_view::placed
     };
     std::vector<span> spans;
-    double off = 0; ///< bound of the distance between the edge and its faces, in pixels
+    double off = 0; ///< distance found between the edge and its faces, in pixels
 
     image_edge(const l3d_shared_edge& edge, const l3d_patch_instance& instance,
                const drawing_view& view);
 
-    /// The parts of the edge between two parameters.
+    /// The parts of the edge's spans between two of its parameters.
     std::vector<span> between(double from, double to) const;
     image_place at(double t) const;
 };
 
-/// The lines along the edges that trims of pieces follow. Each edge is drawn once, whichever and
-/// however many pieces end there.
+/// Finds the lines along the edges that trims of pieces follow. Each edge is drawn once, whichever
+/// and however many pieces end at it.
 ///
-/// An edge is a border where one piece has it. Where two pieces do, it is a crease if their normals
-/// differ by two degrees or more, and a joint otherwise. A joint is a contour wherever one piece
-/// shows its front and the other its back.
+/// An edge is a border where only one piece ends at it. Where two pieces end at it, it is a crease
+/// if their normals differ by two degrees or more, and a joint otherwise. A joint is a contour
+/// wherever one piece shows its front and the other its back.
 class edge_joints {
 public:
     /// Lives: borrows all.
@@ -43,26 +43,27 @@ public:
                 const drawing_view& view, double tolerance);
 
     /// Ends contours on the edges of the model. An end whose parameters lie on an edge is moved to
-    /// where the picture shows that edge. Two such ends become one place if they are nearer than
-    /// near / 2 pixels.
-    /// Shape: `contours` holds the lines of each piece.
+    /// where the picture shows that edge. Two ends on an edge become one place if they are nearer
+    /// than near / 2 pixels.
+    /// Shape: `contours` holds the contours of each piece, which are changed.
     void end_on_edges(std::span<std::vector<surface_line>> contours, double near);
 
-    /// The lines. Expects: end_on_edges() was called.
+    /// Returns the lines; those of joints only if `with_joints`. Expects: end_on_edges() was
+    /// called.
     std::vector<drawn_chain> chains(bool with_joints) const;
 
 private:
-    /// A side of a piece's trim along an edge.
+    /// A side of the polygon of a piece's trim, along an edge.
     struct trim_side {
-        double from, to; ///< parameters of the edge; from < to
+        double from, to; ///< where the side begins and ends, as parameters of the edge
         l3d_trim_place a, b;
     };
-    /// All sides of a piece that run along an edge in one direction.
+    /// All sides of a piece's trims that run along an edge in one direction.
     struct edge_use {
         std::size_t piece;
-        bool is_back; ///< whether the polygon runs against the edge
+        bool is_back; ///< whether the trim's polygon runs against the edge's direction
         bool is_left; ///< whether the piece lies to the left of the edge, in its parameters
-        std::vector<trim_side> sides; ///< in the order of their parameters
+        std::vector<trim_side> sides; ///< in the order of their parameters along the edge
         std::vector<std::array<double, 2>> stretches;
 
         std::array<double, 2> place(double t) const;

@@ -17,7 +17,8 @@ using vector = l3d_patch_model::vector;
 /// Edges are black, as in drawings.
 constexpr l3d_color edge_color = 0;
 
-/// The cubic on a patch above a straight line of parameters, with the patch's tangents at its ends.
+/// A cubic near the curve on a patch over a straight line of parameters. It has that curve's ends
+/// and tangents at the ends.
 l3d_space_curve above(const patch& of, const l3d_trim_place& from, const l3d_trim_place& to) {
     const double u0 = from[0], v0 = from[1], u1 = to[0], v1 = to[1];
     const auto slope = [&](double u, double v) {
@@ -29,8 +30,8 @@ l3d_space_curve above(const patch& of, const l3d_trim_place& from, const l3d_tri
                            edge_color);
 }
 
-/// Whether a line of parameters lies on a side of a patch. Lines along sides are found by
-/// themselves.
+/// Whether a line of parameters lies on a side of a patch. Lines along sides are found in another
+/// way.
 bool is_on_side(const l3d_trim_place& a, const l3d_trim_place& b) {
     for (const std::size_t k : {0U, 1U})
         if (a[k] == b[k] && (a[k] == 0 || a[k] == 1))

@@ -54,8 +54,8 @@ public:
 private:
     static constexpr int planes = 7;
 
-    /// A linear function that is not negative on the inner side of a plane. The planes are near and
-    /// far, the sides of the picture with its margin, and the section.
+    /// A linear function of a control point that is not negative on the inner side of a plane. The
+    /// planes are near and far, the sides of the picture with its margin, and the section.
     double inside(int plane, const point& p) const {
         if (plane < 2 && law_.step != 0)
             return 1;
@@ -125,8 +125,9 @@ private:
     std::vector<depth_chord> chords_;
 };
 
-/// Expresses the section's distance times the weight by a control point's four numbers. Four rows
-/// map places of the world to these numbers: x, y and w of the image, and the depth.
+/// The factors of a control point's four numbers in the point's distance from the section, times
+/// its weight. Four rows map places of the world to these numbers: x, y and w of `image`, and
+/// `depth`.
 point seen_section(const l3d_plane<double>& section, const l3d_matrix<double>& image,
                    const point& depth) {
     l3d_matrix<double> rows = image;

@@ -13,7 +13,7 @@ namespace {
 
 using values = std::array<double, bernstein_net::most_degree + 1>;
 
-/// All Bernstein polynomials of a degree at t.
+/// The values at t of all Bernstein polynomials of a degree.
 void basis_of(int degree, double t, values& b) {
     b[0] = 1;
     for (int d = 1; d <= degree; ++d) {
@@ -27,7 +27,7 @@ void basis_of(int degree, double t, values& b) {
     }
 }
 
-/// Values and derivatives of the polynomials.
+/// The values and the derivatives at t of all Bernstein polynomials of a degree.
 void bases_of(int degree, double t, values& b, values& slopes) {
     std::fill_n(slopes.begin(), degree + 1, 0.0);
     if (degree == 0) {
@@ -46,7 +46,8 @@ void bases_of(int degree, double t, values& b, values& slopes) {
     }
 }
 
-/// Visits each run of coefficients along u or v: its first index, the stride and the degree.
+/// Visits each row of coefficients along u, or each column along v. Calls visit(index of the first,
+/// stride, degree).
 template <class Visit> void for_lines(const bernstein_net& net, bool along_u, const Visit& visit) {
     const int lines = along_u ? net.n : net.m, degree = along_u ? net.m : net.n;
     const auto stride = static_cast<std::size_t>(along_u ? net.dims : (net.m + 1) * net.dims);
@@ -56,7 +57,7 @@ template <class Visit> void for_lines(const bernstein_net& net, bool along_u, co
                   stride, degree);
 }
 
-/// One coordinate of a net.
+/// A net of one of the values of a net: coordinate k.
 bernstein_net coordinate(const bernstein_net& of, int k) {
     bernstein_net result(of.m, of.n, 1);
     for (std::size_t i = 0; i < result.c.size(); ++i)
@@ -64,7 +65,7 @@ bernstein_net coordinate(const bernstein_net& of, int k) {
     return result;
 }
 
-/// Adds sign * a * b to a net of the sum of both degrees.
+/// Adds sign * a * b to a net whose degrees are the sums of those of a and b.
 /// Source: Farin, Curves and Surfaces for CAGD, section 6.6.
 void add_product(const bernstein_net& a, const bernstein_net& b, double sign, bernstein_net& to) {
     for (int r = 0; r <= a.n; ++r)
@@ -79,8 +80,8 @@ void add_product(const bernstein_net& a, const bernstein_net& b, double sign, be
         }
 }
 
-/// Divides by v, 1 - v, u or 1 - u as long as the polynomial vanishes where that factor does, as at
-/// a boundary that is a point. Source: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
+/// Divides a polynomial by v, 1 - v, u or 1 - u as long as it vanishes where the factor vanishes.
+/// It does at a boundary that is a point. Source: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
 void divide_by_vanishing(bernstein_net& f) {
     constexpr double rounding = 0x1p-40; // the shear leaves far more at a contour along a boundary
     constexpr int most_times = 4;
@@ -111,7 +112,7 @@ void divide_by_vanishing(bernstein_net& f) {
 
 /// The polynomial whose zeros are the contours: det(p, dp/du, dp/dv) of the homogeneous places of
 /// the picture. It is the third power of w times the determinant by which the map to the picture
-/// scales areas. So it is zero where that map folds.
+/// scales areas. So it is zero where the map to the picture folds.
 bernstein_net contour_of(const bernstein_net& p) {
     const bernstein_net by_u = p.derivative(true), by_v = p.derivative(false);
     bernstein_net result(3 * p.m - 1, 3 * p.n - 1, 1);
@@ -252,10 +253,10 @@ image_piece::image_piece(const l3d_patch_points& piece, const l3d_matrix<double>
     contour = contour_of(net);
 }
 
-/// Bounds how far a change of u, and of v, moves a place in the picture, so that polygons may stand
-/// for trims. With P = (x, y) / w in the net's box, P' is ((x, y)' - P w') / w. Weights far below
-/// the largest lie beyond the near plane and are not counted. They would ask for millions of chords
-/// for parts that are hardly seen.
+/// Bounds how far changes of u and v move a place in the picture. This bound tells how fine
+/// polygons must be to stand for trims. With P = (x, y) / w in the net's box, P' is ((x, y)' - P
+/// w') / w. If the net reaches the near plane, w counts as at least a 16th of the largest w.
+/// Otherwise parts that are hardly seen would ask for millions of chords.
 double image_piece::trim(std::span<const l3d_trim_loop> loops, double wanted,
                          const drawing_view& view) {
     double most = 0, least = net.c[2];
@@ -328,7 +329,8 @@ l3d_vector<double, 3> image_piece::normal(double u, double v) const {
     return length > least_sine * l3d_length(su) * l3d_length(sv) ? n * (1 / length) : vector(0.0);
 }
 
-/// Sorts the sides into rows. A row holds a few sides, and a polygon crosses few rows.
+/// Sorts the sides of the region's polygons into rows. There are so many rows that each holds a few
+/// sides.
 region_rows::region_rows(const l3d_trim_region& region) {
     std::size_t sides = 0;
     for (const l3d_trim_polygon& polygon : region.polygons)
@@ -429,7 +431,7 @@ flat_image::flat_image(const bernstein_net& net) {
 
 bool bends_along_u(const bernstein_net& net) {
     struct differences {
-        double bend = 0, length = 0; ///< squares of the second derivative and of the first
+        double bend = 0, length = 0; ///< squares of the second and the first derivative
     };
     std::array<differences, 2> along{};
     double twist = 0;

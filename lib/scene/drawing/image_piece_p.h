@@ -21,7 +21,7 @@ namespace l3d_detail {
 ///
 /// Shape: (m + 1) * (n + 1) places, u fastest, each with its values side by side.
 struct bernstein_net {
-    /// The largest degree: that of contours of patches of degree 15.
+    /// The largest degree: the degree of the contours' polynomial for patches of degree 15.
     static constexpr int most_degree = 44;
 
     int m = 0, n = 0, dims = 1;
@@ -39,15 +39,15 @@ struct bernstein_net {
     double* at(int row, int column) { return &c[index(row, column)]; }
     std::size_t places() const { return static_cast<std::size_t>((m + 1) * (n + 1)); }
 
-    /// The halves of a net along u, or along v. The second one takes the whole net's memory.
+    /// The halves of a net along u, or along v. The second half takes the whole net's memory.
     static std::pair<bernstein_net, bernstein_net> halves(bernstein_net whole, bool along_u);
     /// The derivative along u, or along v.
     bernstein_net derivative(bool along_u) const;
-    /// The part of the polynomial where u runs from u0 to u1 and v from v0 to v1. Its own
+    /// The part of the polynomial where u runs from u0 to u1 and v from v0 to v1. The part's own
     /// parameters run from 0 to 1. u1 may be below u0.
     bernstein_net part(double u0, double u1, double v0, double v1) const;
 
-    /// Values and derivatives of at most 4 dims.
+    /// The values of a polynomial at a place, and their derivatives by u and v, for at most 4 dims.
     struct jet {
         std::array<double, 4> value{}, by_u{}, by_v{};
     };
@@ -72,12 +72,13 @@ public:
     drawing_view(const l3d_camera& camera, l3d_size size, double middle_depth, double reach);
 
     std::array<double, 4> placed(const std::array<double, 4>& world) const;
-    /// Tells on which side of the near plane a homogeneous place lies: not negative in front of it.
-    /// The value is linear in homogeneous places.
+    /// Tells on which side of the near plane a homogeneous place lies: the result is not negative
+    /// in front of the plane. The result is linear in homogeneous places.
     double ahead(const double* p) const { return is_parallel_ ? 1 : p[3] - near_ * p[2]; }
-    /// The distance along the view axis.
+    /// The distance along the view axis of a place with the depth z (image_place::z).
     double depth_of(double z) const;
-    /// The length in pixels of a unit of the world across the line of sight, at a depth.
+    /// The length in pixels of a world unit across the line of sight, at the depth z
+    /// (image_place::z).
     double scale_at(double z) const;
     l3d_size size() const { return size_; }
     /// The error that the shear adds, in pixels.
@@ -91,7 +92,7 @@ private:
     double near_ = 0, middle_ = 0, scale_ = 1, error_ = 0;
 };
 
-/// Whether the places of a net are in front of the near plane.
+/// Whether all, some or none of a net's places are in front of the near plane.
 enum class ahead_of_near { all, some, none };
 
 /// A box of the picture and of depths.
@@ -102,7 +103,8 @@ struct image_bounds {
     double height() const { return bottom - top; }
 };
 
-/// The sides of a region's polygons, in rows of equal height in v: for many calls of contains().
+/// A region of parameters that answers many calls of contains() fast. It holds the sides of the
+/// region's polygons in rows of equal height in v.
 class region_rows {
 public:
     region_rows() = default;
@@ -121,39 +123,42 @@ private:
 
 /// A piece of a surface in the picture.
 struct image_piece {
-    bernstein_net net;      ///< 4 dims, as drawing_view::placed
-    bernstein_net contour;  ///< zero at contours; its sign is that of the side that is seen
-    bernstein_net world;    ///< x w, y w, z w, w
-    l3d_trim_region region; ///< the part that trims leave; empty without trims
+    bernstein_net net; ///< the surface in the picture: 4 dims, as drawing_view::placed
+    /// A polynomial that is 0 at contours; its sign tells which side is seen.
+    bernstein_net contour;
+    bernstein_net world;    ///< the surface in the world: x w, y w, z w, w
+    l3d_trim_region region; ///< the part of the piece that trims leave; empty without trims
     region_rows rows;       ///< the region again, in rows
     std::size_t instance = 0, number = 0;
-    std::size_t first_edge = 0; ///< the drawing's index of the first edge of its model
+    std::size_t first_edge = 0; ///< the index in the drawing of the first edge of the piece's model
     bool is_trimmed = false;
 
     image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
                 const drawing_view& view);
 
-    /// Makes the region of polygons that stand for these loops. Returns the largest distance
-    /// between polygons and loops, which is no bound where the piece reaches the near plane.
+    /// Trims the piece: makes its region of polygons that approximate these loops, within `wanted`
+    /// if possible. Returns the largest distance between polygons and loops, which is no bound
+    /// where the piece reaches the near plane.
     /// Units: pixels.
     double trim(std::span<const l3d_trim_loop> loops, double wanted, const drawing_view& view);
 
     image_place at(double u, double v) const;
     bool contains(double u, double v) const { return !is_trimmed || rows.contains(u, v); }
-    /// The unit normal in the world, zero where there is none.
+    /// The unit normal of the piece in the world; zero where there is none.
     l3d_vector<double, 3> normal(double u, double v) const;
 };
 
 ahead_of_near side_of_near(const bernstein_net& net, const drawing_view& view);
+/// The box of a net, in the picture and in depth.
 /// Expects: all in front of the near plane.
 image_bounds bounds_of(const bernstein_net& net);
 /// Whether all of a net is beyond one side of the picture, grown by a margin.
 bool is_beside(const bernstein_net& net, const drawing_view& view);
 
-/// A net as a parallelogram in the picture, and how far the net is from it.
+/// A parallelogram in the picture that approximates a net, with a bound of its error.
 struct flat_image {
-    image_place middle, along_u, along_v; ///< middle of the net; change over all of u, and of v
-    double error = 0;                     ///< bound of the net's distance from it, in pixels
+    image_place middle, along_u, along_v; ///< the parallelogram's middle and its sides
+    double error = 0; ///< bound of the net's distance from the parallelogram, in pixels
 
     explicit flat_image(const bernstein_net& net);
     /// A bound of the distance of any two places of the net in the picture.
@@ -168,12 +173,12 @@ struct flat_image {
 };
 
 /// Whether to halve a net along u rather than along v, so that halves are nearer to parallelograms.
-/// It chooses the direction in which the net bends more, or the longer one if twist is larger than
-/// both bends.
+/// The better direction is the one in which the net bends more. If twist is larger than both bends,
+/// it is the longer one.
 /// Expects: all in front of the near plane.
 bool bends_along_u(const bernstein_net& net);
 
-/// The distance of a place in the picture from a chord.
+/// The distance in the picture of a place from the chord between two others.
 double distance_from(const image_place& p, const image_place& from, const image_place& to);
 
 } // namespace l3d_detail

@@ -11,15 +11,15 @@ namespace l3d_detail {
 
 namespace {
 
-/// Side of a square of the grid. Units: pixels.
+/// The side of a square of the grid that finds crossings of lines. Units: pixels.
 constexpr double square = 16;
 
-/// Depths of chords are less exact than places. If two differ by less than this, either chord may
-/// be in front.
+/// Depths of chords are less exact than places. If the depths of two chords differ by less than
+/// this, either chord may be in front. Units: pixels of depth.
 constexpr double depth_doubt = 0.5;
 
 struct chord {
-    std::size_t chain, first; ///< from this vertex to the next
+    std::size_t chain, first; ///< the chord from this vertex to the next
 };
 
 class chord_grid {
@@ -58,7 +58,7 @@ private:
     double column_of(double x) const { return std::floor((x + half_width_) / square) + 1; }
     double row_of(double y) const { return std::floor((y + half_height_) / square) + 1; }
 
-    /// Visits the squares that a box reaches.
+    /// Visits the squares of the grid that a box reaches.
     template <class Visit>
     void for_squares(double left, double right, double top, double bottom,
                      const Visit& visit) const {
@@ -142,8 +142,8 @@ private:
             cut(two, t);
     }
 
-    /// Cuts other lines where a line ends on them. A surface that hides them often begins there,
-    /// too.
+    /// Cuts other lines where a line ends on them. A surface that hides the other lines often
+    /// begins there, too.
     void end_on_others(std::size_t chain, const surface_vertex& end) {
         const double reach = 4 * tolerance_; // both lines are off by at most the tolerance
         for_squares(end.at.x - reach, end.at.x + reach, end.at.y - reach, end.at.y + reach,

@@ -12,14 +12,13 @@
 
 namespace l3d_detail {
 
-/// The lengths in the picture from a line's first vertex to each.
+/// For each vertex of a line, the length of the line from its first vertex, in the picture.
 std::vector<double> lengths_along(const surface_line& line);
 
-/// Finds places that cut lines into stretches. Between two of them, a line is seen or hidden as a
-/// whole, unless it passes through a surface.
-/// A line is cut where another line that may be nearer crosses it or ends on it, and at the
-/// picture's border. Places are lengths in the picture from the line's beginning.
-/// Shape: for each chain its places in order, its own two ends among them.
+/// Finds places that cut lines into stretches. A stretch is seen or hidden as a whole, unless it
+/// passes through a surface. A line is cut where another line that may be nearer crosses it or ends
+/// on it, and at the picture's border. Places are lengths in the picture from the line's beginning.
+/// Shape: for each chain, the places in their order, with the chain's two ends.
 std::vector<std::vector<double>> cut_lines(std::span<const drawn_chain> chains,
                                            const drawing_view& view, double tolerance);
 

@@ -25,12 +25,12 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The shares of the tolerance that three errors may take: those of chords, of polygons that stand
-/// for trims, and of ends of contours on an edge, which take half of theirs. The rest is for the
-/// shear and for rounding.
+/// The shares of the tolerance for errors of chords, for errors of polygons that stand for trims,
+/// and for moving ends of contours onto an edge. Ends are moved by at most half of their share. The
+/// rest is for the shear and for rounding.
 constexpr double chord_share = 0.5, trim_share = 0.25, joint_share = 0.25;
 
-/// A stretch that is shorter becomes seen or hidden as its neighbours are. Units: pixels.
+/// A stretch that is shorter than this becomes seen or hidden as its neighbours are. Units: pixels.
 constexpr double sliver = 0.75;
 
 /// Distance of samples along a stretch. A line that passes through a surface is certainly found if
@@ -98,7 +98,8 @@ public:
     }
 
 private:
-    /// A part of a chain, from one length along it to another.
+    /// A part of a chain, from one length along the chain to another, which is seen or hidden as a
+    /// whole.
     struct stretch {
         double from, to;
         bool is_seen;
@@ -108,7 +109,7 @@ private:
         surface_line points;
         l3d_line_kind kind;
         bool is_seen;
-        std::vector<std::size_t> pieces; ///< indices in pieces_
+        std::vector<std::size_t> pieces; ///< indices in pieces_ of the pieces that it runs on
     };
 
     void find_chains();
@@ -171,8 +172,8 @@ std::array<line_end, 2> ends_of(const surface_line& line, std::size_t group) {
     return {end(line[0], line[1]), end(line[count - 1], line[count - 2])};
 }
 
-/// Appends a line, or the reverse of it if `is_back`. Its first vertex may repeat the last one of
-/// `to`.
+/// Appends a line, or its reverse if `is_back`, to another line. The first vertex that is appended
+/// may equal the last vertex of `to`.
 void append(surface_line& to, const surface_line& line, bool is_back) {
     if (is_back)
         to.insert(to.end(), line.rbegin(), line.rend());
@@ -180,8 +181,8 @@ void append(surface_line& to, const surface_line& line, bool is_back) {
         to.insert(to.end(), line.begin(), line.end());
 }
 
-/// Joins contours inside of pieces where they go on in the next pieces. Contours along sides stay
-/// apart, since another test tells whether they are seen.
+/// Joins contours inside of pieces where they continue in the next pieces. Contours along sides
+/// stay apart, since another test tells whether these are seen.
 void drawer::join_contours(std::vector<drawn_chain> contours) {
     std::vector<std::array<line_end, 2>> ends;
     for (const drawn_chain& chain : contours)
@@ -227,8 +228,9 @@ image_place drawer::on_curve(const drawn_chain& chain, const surface_vertex& a,
     return chain.edge ? edges_[*chain.edge].at(u) : pieces_[a.piece].at(u, v);
 }
 
-/// The share of the way between two vertices, in parameters, at which the curve is beside the place
-/// `of_chord` of their chord. Perspective and weights make these two shares differ.
+/// The share of the way in parameters between two vertices at which the curve is beside a place of
+/// the chord. That place is at the share `of_chord` of the chord in the picture. Perspective and
+/// weights make these two shares differ.
 double drawer::share_of_curve(const drawn_chain& chain, const surface_vertex& a,
                               const surface_vertex& b, double of_chord) const {
     const double dx = b.at.x - a.at.x, dy = b.at.y - a.at.y, square = dx * dx + dy * dy;
@@ -276,8 +278,8 @@ bool drawer::is_seen(const drawn_chain& chain, const std::vector<double>& length
         {there.at.x + beside * shape.out_x, there.at.y + beside * shape.out_y, there.at.z}, {});
 }
 
-/// Adds the stretches between two cuts: one, unless samples tell that the line passes through a
-/// surface.
+/// Adds the stretches between two cuts of a chain. There is one stretch, unless samples tell that
+/// the line passes through a surface.
 void drawer::sample(const drawn_chain& chain, const std::vector<double>& lengths, double from,
                     double to, line_of_sight& sight, std::vector<stretch>& stretches) const {
     const bool is_long = to - from > 4 * from_ends;
@@ -304,7 +306,8 @@ void drawer::sample(const drawn_chain& chain, const std::vector<double>& lengths
     stretches.push_back({begin, to, was_seen});
 }
 
-/// Joins stretches that are alike; a short one becomes like those beside it.
+/// Joins neighbouring stretches that are alike. A stretch shorter than `sliver` becomes like its
+/// neighbours.
 void drawer::merge_slivers(std::vector<stretch>& of) {
     const auto unite = [&] {
         std::size_t kept = 0;
@@ -380,7 +383,7 @@ void drawer::add_stretches(const drawn_chain& chain, std::vector<double>& cuts,
     }
 }
 
-/// Joins stretches of one kind, and turns them into lines of the picture.
+/// Joins stretches of one kind that continue each other, and turns them into lines of the drawing.
 void drawer::join() {
     std::vector<std::array<line_end, 2>> ends;
     for (const drawn_stretch& one : stretches_)

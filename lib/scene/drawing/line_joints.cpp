@@ -11,14 +11,15 @@ namespace l3d_detail {
 
 namespace {
 
-/// Distances within which ends are the same place. Ends that coincide in exact numbers differ by
-/// far less, and nobody sees such a gap.
+/// The distances, in the picture and in depth, within which ends of lines are the same place. Ends
+/// that coincide exactly differ by far less after rounding. Nobody sees gaps as small as these
+/// distances.
 constexpr double same_place = 1e-3, same_depth = 0.1;
 
 constexpr std::size_t none = ~std::size_t{0};
 
 struct pair_of_ends {
-    double straight; ///< cosine of the turn
+    double straight; ///< cosine of the angle by which the joined line turns
     std::size_t a, b;
 };
 

@@ -11,16 +11,16 @@
 
 namespace l3d_detail {
 
-/// Adds a note that lines and curves are not drawn, if the file has any. `reason` follows "they are
-/// ".
+/// Adds a note that a file's lines and curves are not drawn, if it has any. The note ends with
+/// "they are ", then `reason`.
 inline void note_lost_lines(const l3d_model_file& file, const std::string& name,
                             const std::string& reason, std::vector<std::string>& notes) {
     if (!file.curves.empty())
         notes.push_back(printable(name) + ": lines and curves are not drawn: they are " + reason);
 }
 
-/// The same for a file that is drawn as polygons. A file without surfaces gets no note here, since
-/// l3d_load_model has made one.
+/// Adds such a note for a file that is drawn as polygons. A file without surfaces gets no note
+/// here, since l3d_load_model has added one.
 inline void note_lines_lost_to_polygons(const l3d_model_file& file, const std::string& name,
                                         std::vector<std::string>& notes) {
     if (!file.patches.empty())

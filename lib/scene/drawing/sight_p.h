@@ -12,35 +12,37 @@
 
 namespace l3d_detail {
 
-/// Tells whether a place of the picture is hidden by exact pieces.
+/// Tells whether exact pieces hide a place of a line in the picture.
 ///
-/// Pieces are halved until they are flat to 1/256 pixel. So the answer is exact for a ray that
-/// passes within that distance. Halves are kept for further questions.
+/// Pieces are halved until they are flat to 1/256 pixel. So the answer is exact for some ray within
+/// 1/256 pixel of the place. Halves are kept for further calls.
 class line_of_sight {
 public:
-    /// How much nearer than a place a surface must be to hide it. The place's line may lie on a
-    /// surface that is not.
+    /// How much nearer than a place a surface must be to hide it. The surface on which the place's
+    /// line lies is not nearer than that.
     /// Units: pixels of depth.
     static constexpr double least_gap = 0.25;
-    /// The same for pieces whose sides the line follows.
+    /// How much nearer a piece must be to hide a place if the line follows the piece's side.
     static constexpr double least_gap_of_sides = 2;
 
     /// Lives: borrows pieces and view.
     line_of_sight(std::span<const image_piece> pieces, const drawing_view& view);
 
-    /// Whether a piece lies in front of the place. `sides` are the pieces whose sides the line
-    /// follows.
+    /// Whether a piece lies in front of the place. `sides` has the indices of the pieces whose
+    /// sides the line follows.
     bool is_hidden(const image_place& at, std::span<const std::size_t> sides);
 
 private:
-    /// A part of a piece, with its halves once somebody asked for them.
+    /// A rectangle of a piece's parameters with the net over it. Its halves are made when a search
+    /// first needs them.
     struct node {
         bernstein_net net;
         double u0 = 0, u1 = 1, v0 = 0, v1 = 1;
         std::size_t halves = 0; ///< the index of the first half; 0 for none yet
         int halvings = 0;
-        std::optional<image_bounds> box; ///< nothing if not all is in front of the near plane
-        std::optional<flat_image> flat;  ///< for flat parts
+        /// The box of the net; nothing if the net reaches the near plane.
+        std::optional<image_bounds> box;
+        std::optional<flat_image> flat; ///< the parallelogram that stands for a flat net
     };
 
     void add(bernstein_net net, const node* whole, bool along_u, bool second);
@@ -49,7 +51,7 @@ private:
 
     std::span<const image_piece> pieces_;
     const drawing_view& view_;
-    std::vector<node> nodes_; ///< the first ones are whole pieces
+    std::vector<node> nodes_; ///< the first nodes are whole pieces
     std::vector<std::size_t> stack_;
 };
 

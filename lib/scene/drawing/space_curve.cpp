@@ -10,7 +10,8 @@
 #include <cstddef>
 #include <vector>
 
-/// Uses the border of a surface whose points are the same in all rows: that border is the curve.
+/// Divides the curve into Bezier curves by means of a surface whose rows of points are all the
+/// curve's points. The surface's border is the curve.
 l3d_space_curve::l3d_space_curve(const l3d_nurbs_curve& curve, std::uint32_t color, double width)
     : color_(color), width_(width) {
     if (!(width > 0 && width <= most_width))

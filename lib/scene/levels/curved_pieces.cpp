@@ -14,7 +14,7 @@ namespace {
 
 using patch = l3d_curved_pieces::patch;
 
-/// A part of a piece, and its range in the piece.
+/// A part of a curved piece, and its range of the piece's parameters.
 struct ranged_part {
     l3d_rational_piece part;
     l3d_parameter_range range{};
@@ -25,9 +25,9 @@ struct ranged_part {
     }
 };
 
-/// Calls visit(part) with the cells of a part, except those for which is_hidden(part) holds. All
-/// cuts along u come before those along v. So cells on both sides of a common boundary halve it in
-/// the same order.
+/// Calls visit(part) with the cells of a part, except for cells in parts for which is_hidden(part)
+/// is true. All cuts along u come before all cuts along v. So cells on both sides of a common
+/// boundary halve it in the same order.
 template <class Cut, class Hidden, class Visit>
 void for_each_cell(const ranged_part& of, const Cut& is_cut, const Hidden& is_hidden,
                    const Visit& visit) {
@@ -41,8 +41,8 @@ void for_each_cell(const ranged_part& of, const Cut& is_cut, const Hidden& is_hi
         for_each_cell(of.half(in_u, second), is_cut, is_hidden, visit);
 }
 
-/// The cells' share of the error of places, where there are trims. The polygons of trims have the
-/// other three quarters. Cells need hardly more halvings for that.
+/// The share of the allowed error of places that cells of trimmed pieces may take. The polygons of
+/// trims have the other three quarters. Cells need hardly more halvings for this share.
 constexpr double share_of_cells = 0.25;
 
 /// A cell of a piece.
@@ -50,11 +50,11 @@ struct cell {
     patch of;
     l3d_normal_net normals;
     l3d_parameter_range range;
-    double error, allowed; ///< errors of places
+    double error, allowed; ///< the error of places, and the allowed one
 };
 
-/// Bounds the length in space of a unit of the piece's u and of its v, from its cells. In a cell's
-/// own units, 3 differences of control points are a bound.
+/// Bounds the lengths in space of a unit of a piece's u and of its v, from the piece's cells. For a
+/// cell's own parameters, 3 times the largest difference of control points is a bound.
 l3d_trim_place lengths_of(std::span<const cell> cells) {
     l3d_trim_place result{0, 0};
     for (const cell& one : cells)
@@ -68,9 +68,9 @@ l3d_trim_place lengths_of(std::span<const cell> cells) {
     return result;
 }
 
-/// Finds the error of places that is allowed in a part of a piece, and at the distance `beside`
-/// around it in space. It is infinite if the region shows nothing of that. `lengths` are those of
-/// `cells`, the cells that may be seen.
+/// Finds the error of places that is allowed in a part of a piece, and up to the distance `beside`
+/// around the part in space. It is infinite if the region shows nothing of these places. `cells`
+/// are the piece's cells that may be seen; `lengths` are their lengths_of.
 double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
                   const l3d_trim_place& lengths, const l3d_cell_wish& wanted, double beside) {
     double result = std::numeric_limits<double>::infinity();
@@ -96,8 +96,8 @@ double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
     return result;
 }
 
-/// Calls visit(cell, region) for each cell of a part of a piece, except those that trims remove
-/// wholly. The region is empty where trims remove nothing.
+/// Calls visit(cell, region) for each cell of a part of a piece, except for cells that trims remove
+/// wholly. The region is what trims leave of the cell, or empty where they remove nothing.
 template <class Visit>
 void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& part,
                       const l3d_trim_region& region, const Visit& visit) {
@@ -124,7 +124,8 @@ void for_each_trimmed(std::span<const cell> cells, const l3d_parameter_range& pa
     for_each_trimmed(cells.subspan(count), part.half(along_u, true), high, visit);
 }
 
-/// About how long a unit of a piece's u and of its v is in space, by its control net.
+/// About how long a unit of a piece's u and of its v is in space, judged by the piece's control
+/// net.
 l3d_trim_place rough_lengths_of(const l3d_patch_points& piece) {
     l3d_trim_place result{0, 0};
     const auto width = static_cast<std::size_t>(piece.degree_u) + 1;
@@ -142,13 +143,14 @@ l3d_trim_place rough_lengths_of(const l3d_patch_points& piece) {
     return result;
 }
 
-/// How large a cell's error is, and how the cell should be cut.
+/// The verdict on a cell: how large its error is, and how the cell should be cut.
 struct verdict {
     double error = 0;
     bool cut_u = false, cut_v = false;
 };
 
-/// Makes the part of a piece by the halvings of for_each_cell, in their order.
+/// Makes the part of a piece in a range by the halvings of for_each_cell, in their order, so that
+/// equal parts have equal bits.
 l3d_rational_piece part_of(const l3d_patch_points& piece, const l3d_parameter_range& at) {
     ranged_part result{l3d_rational_piece(piece)};
     for (const bool along_u : {true, false}) {
@@ -163,7 +165,8 @@ l3d_rational_piece part_of(const l3d_patch_points& piece, const l3d_parameter_ra
     return result.part;
 }
 
-/// Judges a cell of a piece. If its error is too large, its halves decide the direction of the cut.
+/// Judges a cell of a piece. If the cell's error is too large, the errors of its halves decide the
+/// direction of the cut.
 verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_parameter_range& at,
                double allowed, double allowed_normal, l3d_found_cells& found) {
     // Where normals have no bound, as at a cusp, cuts may never give one. So lines are cut for a
@@ -205,11 +208,12 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
     return result;
 }
 
-/// The control points of a boundary as numbers, in the direction in which they sort first.
+/// The control points of a piece's boundary as numbers, to be compared. They are in the direction
+/// in which they sort first.
 struct boundary {
     std::vector<double> numbers;
-    bool is_turned = false;    ///< whether this direction is against that of the parameter
-    bool is_symmetric = false; ///< whether both directions are alike
+    bool is_turned = false;    ///< whether the points run against the parameter
+    bool is_symmetric = false; ///< whether both directions give the same numbers
 };
 
 /// Finds the four boundaries of a piece, and leaves out those that are points.
@@ -265,7 +269,7 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
 }
 
 /// The largest distance of the edges that a region follows from their faces. It is negative if the
-/// region follows none.
+/// region follows no edge.
 double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     double result = -1;
     for (const l3d_trim_polygon& polygon : region.polygons)
@@ -275,8 +279,9 @@ double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     return result;
 }
 
-/// Notes which lines of pieces have to be cut alike. A line that meets itself in reverse, as on a
-/// Moebius band, is cut symmetrically.
+/// Notes which ranges of u or v of pieces (lines) have to be cut alike, since the pieces have a
+/// common boundary. A line that meets itself in reverse, as on a Moebius band, is cut
+/// symmetrically.
 void l3d_curved_pieces::unite_common_boundaries() {
     std::map<std::vector<double>, l3d_detail::directed_sets::place> lines;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
@@ -347,14 +352,14 @@ void l3d_curved_pieces::halve(cuts& by, std::size_t index, double place) const {
         add(1 - place);
 }
 
-/// Halves cells with too large an error until there is none. A halving cuts all cells along its
-/// line, and those of all pieces that share the line.
+/// Halves cells with too large an error until there is no such cell. A halving cuts all cells of
+/// the piece at this parameter, and the cells of all pieces that are cut alike.
 l3d_curved_pieces::cuts l3d_curved_pieces::cuts_for(const l3d_cell_wish& wanted, const cuts& from,
                                                     l3d_found_cells& found) const {
     using places = std::vector<double>;
     struct seen_cells {
         double count = 0, error = 0;
-        std::array<places, 2> halvings{}; ///< along u and v
+        std::array<places, 2> halvings{}; ///< parameters of u and v at which cells are halved
     };
     const double of_cells = has_trims_ ? share_of_cells : 1;
     const double of_trims = (1 - of_cells) * wanted.places;

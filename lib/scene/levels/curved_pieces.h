@@ -23,11 +23,12 @@
 #include <unordered_map>
 #include <vector>
 
-/// The errors that a picture allows to cells of curved pieces.
+/// The errors that a picture allows for the cells of curved pieces: a wish for cells that are fine
+/// enough.
 struct l3d_cell_wish {
     double places = 0; ///< error of places that is always allowed, in the pieces' unit
-    int normals = 0;   ///< the level of normals
-    /// The region that is seen; without a region, everything is seen.
+    int normals = 0;   ///< the level of normals (l3d_patch_model::at_level)
+    /// The region that is seen. Without a region, all cells count as seen.
     std::optional<l3d_seen_region> region{};
     double places_by_depth = 0; ///< error of places that is allowed at depth 1 in the region
 
@@ -36,12 +37,13 @@ struct l3d_cell_wish {
     /// The error of places that is allowed in the hull of these points (see l3d_seen_region), in
     /// the pieces' unit.
     double allowed(std::span<const l3d_vector<double, 4>> points) const;
-    /// The error of unit normals that is allowed in a cell with this range in its piece. It is
-    /// infinite for cells that have been halved often enough.
+    /// The error of unit normals that is allowed in a cell with this range of its piece's
+    /// parameters. It is infinite for cells that were halved most_halvings_for_normals + `normals`
+    /// times.
     double normals_of(const l3d_parameter_range& cell) const;
 };
 
-/// The key of a cell: its piece, and its range there.
+/// The key of a cell in tables: its piece, and its range of the piece's parameters.
 inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter_range& at) {
     return {static_cast<double>(piece), at.u0, at.u1, at.v0, at.v1};
 }
@@ -50,10 +52,12 @@ inline std::array<double, 5> l3d_cell_key(std::size_t piece, const l3d_parameter
 template <class T>
 using l3d_by_cell = std::unordered_map<std::array<double, 5>, T, l3d_detail::number_hash>;
 
-/// Keeps the bicubic patches and normals that approximate cells, from one search to the next.
+/// Keeps the bicubic patches and normals that approximate cells, so that the next search for cells
+/// need not compute them again.
 class l3d_found_cells {
 public:
-    /// Returns the patch for a part of a piece. If it is not known yet, make() gives the part.
+    /// Returns the patch that approximates a part of a piece. If it is not known yet, make() gives
+    /// the part to be approximated.
     /// Expects: parts are the same bit for bit whenever they are made.
     /// Lives:   until forget_if_many().
     template <class Make>
@@ -67,7 +71,7 @@ public:
                                             const Make& make) {
         return of(normals_, piece, at, make);
     }
-    /// Forgets all cells if there are more than 2^15, which take some 50 MB.
+    /// Forgets all cells if more than 2^15 are kept, which take some 50 MB.
     void forget_if_many() {
         if (patches_.size() > std::size_t{1} << 15) {
             patches_.clear();
@@ -89,73 +93,78 @@ private:
     l3d_by_cell<std::optional<l3d_normal_approximation>> normals_;
 };
 
-/// Cuts rational Bezier patches, the pieces, into cells, which models draw as bicubic patches.
+/// Cuts a curved model's pieces, which are rational Bezier patches, into cells. Each cell is drawn
+/// as one bicubic patch.
 ///
-/// The ranges of u and of v of a piece are each halved repeatedly, as far as some cell needs it.
-/// Pieces with a common boundary are halved alike along it, so their cells have the same boundaries
-/// there, bit for bit.
+/// The ranges of u and of v of a piece are halved repeatedly, wherever some cell needs it. Pieces
+/// with a common boundary are halved alike along it, so their cells have the same boundaries there,
+/// bit for bit.
 class l3d_curved_pieces {
 public:
     using patch = l3d_bezier_patch<double, 3>;
     using vector = l3d_vector<double, 3>;
 
     /// Expects: each piece as l3d_rational_piece expects. Trims may name edges that do not exist;
-    ///          these are ignored.
+    ///          such names are ignored.
     explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
                                std::vector<l3d_model_edge> edges = {});
 
     std::span<const l3d_patch_points> pieces() const { return pieces_; }
     /// The edges that trims follow, as the file has them.
     std::span<const l3d_model_edge> file_edges() const { return file_edges_; }
-    /// The same edges as Bezier curves.
+    /// The edges that trims follow, as Bezier curves.
     std::span<const l3d_shared_edge> edges() const { return edges_; }
 
-    /// The box of all control points, which holds all pieces.
+    /// The box of all control points, from least() to most(). It holds all pieces.
     const vector& least() const { return least_; }
     const vector& most() const { return most_; }
 
-    /// The finest level. Levels of places and of normals run from 0 to this. The finest level of
-    /// places asks for errors of 2^-42 of the box's diagonal. A finer one would be mostly rounding
-    /// of doubles.
+    /// The finest level. Levels of places and of normals run from 0 to this number. The finest
+    /// level of places asks for errors of 2^-42 of the box's diagonal. Smaller errors would be
+    /// mostly rounding of doubles.
     static constexpr int most_level = 32;
-    /// The error of places for which a level asks. Cells keep it unless they would be more than
-    /// most_cells. Two levels more ask for a quarter of the error, which takes twice the cells.
+    /// The error of places that a level asks for. Cells are as fine as that unless they would be
+    /// more than most_cells. Two levels more ask for a quarter of the error, which takes twice the
+    /// cells.
     double place_target(int level) const;
-    /// The error of unit normals for which a level asks. At level 0 that is 0.45 levels of
-    /// Lambert's 229.5, and two levels more ask for an eighth. Cells are halved for it at most
+    /// The error of unit normals that a level asks for. At level 0 the error is 0.45 shade levels
+    /// of Lambert's 229.5. Two levels more ask for an eighth. Cells are halved for normals at most
     /// most_halvings_for_normals + `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
-    /// The most halvings that level 0 spends on a normal's error. Errors fall by 64 where cells are
-    /// halved both ways. From 2, the largest possible error, two such steps lead to 2^-11, below
-    /// the target of level 0. Two more steps are for pieces that bend so much that errors fall less
-    /// at first. Each step is two halvings.
+    /// The largest number of halvings of a cell for errors of normals at level 0. Where a cell is
+    /// halved both ways, its error falls to 1 / 64. From 2, the largest possible error, two such
+    /// steps lead to 2^-11, below the target of level 0. Two more steps are for pieces that bend so
+    /// much that errors fall less at first. Each step is two halvings.
     static constexpr int most_halvings_for_normals = 2 * (2 + 2);
-    /// The most cells that a model may have at any level: some 300 MB.
+    /// The largest number of cells of a model at any level: they take some 300 MB.
     static constexpr double most_cells = 0x1p17;
 
-    /// The cells of a level.
+    /// The cells between some cuts, as patches with bounds of their errors.
     struct cells {
         std::vector<patch> patches;
         std::vector<l3d_normal_net> normals;     ///< normals of the piece itself, for each patch
         std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
         std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
-        /// The remaining region of each trimmed patch, in coordinates from 0 to 1; empty where all
-        /// of it remains.
+        /// The region of each patch that trims leave, in parameters from 0 to 1. A region is empty
+        /// where all of the patch remains.
         std::vector<l3d_trim_region> trims;
         /// For each patch, a bound of errors of places, trims included, in the pieces' unit.
         std::vector<double> errors;
         double share = 0; ///< the largest ratio of a patch's error to its allowed error
-        /// For each patch, the error of the edges that it follows; negative if there are none.
+        /// For each patch, the error of the edges that its trims follow; negative if they follow
+        /// none.
         std::vector<double> edges_off;
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };
     /// Whether any piece has trims.
     bool has_trims() const { return has_trims_; }
-    /// About how many corners the polygons of trims have at a level, without the ends of curves.
+    /// About how many corners the polygons of trims have at a level of places, without the ends of
+    /// curves.
     double trim_corners(int level) const { return trim_bends_ / std::sqrt(place_target(level)); }
-    /// The places at which all pieces are halved.
+    /// The parameters at which all pieces are halved: all that is needed to make their cells.
     struct cuts {
-        /// For each line that l3d_curved_pieces keeps, the parameters of its cuts, in order.
+        /// The parameters of cuts in ascending order: in element 2 i for u of piece i, in element 2
+        /// i + 1 for v. Ranges that must be cut alike keep their cuts in one element.
         std::vector<std::vector<double>> of_lines;
         double cells = 0; ///< the number of cells
         double error = 0; ///< bound of errors of places, trims included, in the pieces' unit
@@ -164,7 +173,7 @@ public:
     /// coarser level.
     /// Expects: a level of normals from 0 to most_level; `from` is empty, or was made here.
     cuts cuts_for(const l3d_cell_wish& wanted, const cuts& from, l3d_found_cells& found) const;
-    /// Makes the cells of these cuts, except for those that are hidden.
+    /// Makes the cells between these cuts, except for cells outside of the wish's region.
     cells cut(const cuts& by, const l3d_cell_wish& wanted, l3d_found_cells& found) const;
 
 private:

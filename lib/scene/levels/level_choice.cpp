@@ -15,7 +15,8 @@ namespace {
 
 using vector = l3d_patch_scene::vector;
 
-/// Frobenius' norm of the upper left three by three. It bounds the factor by which a vector grows.
+/// Frobenius' norm of a matrix' upper left three by three. It bounds the factor by which a vector's
+/// length grows.
 double norm_of(const l3d_matrix<double>& m) {
     double squares = 0;
     for (int row = 0; row < 3; ++row)
@@ -24,17 +25,18 @@ double norm_of(const l3d_matrix<double>& m) {
     return std::sqrt(squares);
 }
 
-/// The most patches of a level. Where more would be needed, the picture has cells of its own
-/// instead. So many patches take a quarter of a second to make, once.
+/// The largest number of patches of a level that is drawn. Where more would be needed, the picture
+/// gets cells for its own region instead. So many patches take a quarter of a second to make, once.
 constexpr double most_of_all = 8192;
 
 /// How an instance multiplies errors, and where it stands in the picture.
 struct seen_instance {
-    double stretch = 1; ///< factor of lengths
-    double turn = 1;    ///< factor of the distance of unit normals
+    double stretch = 1; ///< the factor by which lengths grow
+    double turn = 1;    ///< the factor by which errors of unit normals grow
     double least_w = 0, most_w = 0;
-    double focal = 0; ///< pixels for a unit at depth 1, at the farthest corner of the window, where
-                      ///< they are most
+    /// The pixels of a unit at depth 1, at the farthest corner of the window, where a unit has most
+    /// pixels.
+    double focal = 0;
     double near = 0;
 
     seen_instance(const l3d_patch_instance& instance, const l3d_level_view& view) {
@@ -71,11 +73,10 @@ struct seen_instance {
         near = view.camera.near_z;
     }
 
-    /// The errors that the picture allows to a model's cells. It is nothing if there is no region.
+    /// The errors that the picture allows to a model's cells. Nothing if the view has no region.
     ///
-    /// At depth w >= near, an error e of places is e stretch focal / w pixels. A nearer place is
-    /// drawn only by error. So an error for which pixels() is places_px at w = near is always
-    /// allowed.
+    /// At depth w >= near, an error e of places is e stretch focal / w pixels. Nearer places are
+    /// not drawn, except by error. So an error for which pixels() is places_px is always allowed.
     std::optional<l3d_cell_wish> wish(const l3d_patch_instance& instance,
                                       const l3d_level_view& view, int normals) const {
         const l3d_patch_model& model = instance.model();
@@ -102,8 +103,8 @@ struct seen_instance {
                              .places_by_depth = at_1};
     }
 
-    /// The error in pixels of a place in front of the near plane whose error in the model is
-    /// `error`.
+    /// The largest error in pixels of a place in front of the near plane, if its error in the model
+    /// is `error`.
     double pixels(double error) const {
         const double e = error * stretch;
         const double w = std::max(least_w, near - e);
@@ -154,7 +155,8 @@ l3d_curved_error l3d_patch_scene::choose_levels(const l3d_level_view& view) {
     return result;
 }
 
-/// Gives an instance another level of its model. For a program, the model stays the same.
+/// Gives an instance another level of its model. The change does not count as a change of the
+/// scene.
 void l3d_patch_scene::take_level(std::size_t index, const l3d_patch_model& finer) {
     l3d_patch_instance& instance = instances_[index];
     if (finer.identity() == instance.model().identity())

@@ -40,8 +40,8 @@ l3d_patch_reach reach_of(const l3d_patch_model::patch& p) {
 
 } // namespace
 
-/// Computes the data of all patches, or copies them from `like`. Boxes grow by the error of the
-/// edges that a patch follows.
+/// Computes the data of all patches, or copies those that `like` has. A patch's box grows by the
+/// error of the edges that the patch follows.
 void l3d_patch_model::contents::learn(const contents* like,
                                       std::span<const std::size_t> places_in_like) {
     const bool has_normals = !normals.empty(); // normals of pieces, not of patches
@@ -149,8 +149,8 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     return kept;
 }
 
-/// Makes the contents for a wish. They have no orientation, since a part of a body is no body.
-/// Their box still holds the model's hidden parts.
+/// Makes the contents for a wish. Their orientation is 0, since a part of a closed body is not
+/// closed. Their box also holds parts of the model outside of the wish's region.
 std::shared_ptr<const l3d_patch_model::contents>
 l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
     const std::scoped_lock lock(mutex_);
@@ -180,10 +180,10 @@ namespace {
 
 /// Bounds the change of unit normals if control points move by `off`.
 ///
-/// Derivatives are means of differences of control points, and move by 6 off, so n = S_u x S_v
-/// moves by some d. S_u and S_v are means of control vectors, and n.a is bilinear in them. So its
-/// least value is that of a pair. Unit vectors then differ by at most twice the distance over the
-/// length.
+/// Derivatives are means of differences of control points, and move by at most 6 off, so n = S_u x
+/// S_v moves by some d. S_u and S_v are means of control vectors, and n.a is bilinear in these. So
+/// the least value of n.a is that of a pair of control vectors. Unit vectors then differ by at most
+/// twice d over the length of n.
 double turn_of(const l3d_bezier_patch<double, 3>& p, double off) {
     std::vector<vector> along_u, along_v;
     for (int i = 0; i < 4; ++i)

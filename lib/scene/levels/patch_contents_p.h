@@ -23,7 +23,8 @@
 #include <utility>
 #include <vector>
 
-/// Computes the bends of a patch at the first call. Patches outside the window never need them.
+/// The bends of a patch, computed at the first call. Patches outside the window never need their
+/// bends.
 class l3d_patch_model::bends_on_demand {
 public:
     const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
@@ -37,11 +38,11 @@ private:
 };
 
 struct l3d_patch_model::contents {
-    /// Computes the data of patches. It copies those of each patch that `like`, if not null, has at
-    /// the same index.
+    /// Computes the data of patches. The data of a patch that `like`, if not null, has at the same
+    /// index are copied.
     contents(std::vector<patch> of, const contents* like);
-    /// Computes the data of a curved model's cells. It copies those of equal cells from `like`, if
-    /// not null.
+    /// Computes the data of a curved model's cells. The data of cells that are equal to cells of
+    /// `like`, if not null, are copied.
     contents(l3d_curved_pieces::cells of, const contents* like);
 
     std::vector<patch> patches;
@@ -49,20 +50,22 @@ struct l3d_patch_model::contents {
     std::vector<l3d_facing_cones> facing;
     std::vector<std::shared_ptr<bends_on_demand>> bends;
     std::vector<l3d_patch_reach> reaches;
-    std::vector<l3d_halved_side> halved;     ///< sides beyond which two smaller patches follow
-    std::vector<unsigned char> halved_edges; ///< their bits for each patch, in the order of
-                                             ///< l3d_patch_reach::edges; empty if there are none
+    std::vector<l3d_halved_side> halved; ///< sides beyond which two smaller patches follow
+    /// For each patch, a bit for each side in `halved`, in the order of l3d_patch_reach::edges.
+    /// Empty if no side is halved.
+    std::vector<unsigned char> halved_edges;
     int orientation = 0;
     vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
     l3d_box_lanes boxes;
 
     // The following are for a curved model.
     std::vector<std::uint32_t> pieces;       ///< the piece that each patch belongs to
-    std::vector<l3d_parameter_range> ranges; ///< the part of that piece
-    std::vector<l3d_trim_region>
-        trims;                     ///< the region left of each patch; empty if no piece is trimmed
-    std::vector<double> edges_off; ///< as l3d_curved_pieces::cells has it
+    std::vector<l3d_parameter_range> ranges; ///< the part of its piece that each patch covers
+    /// The region of each patch that trims leave. The list is empty if no piece is trimmed.
+    std::vector<l3d_trim_region> trims;
+    std::vector<double> edges_off; ///< see l3d_curved_pieces::cells::edges_off
     std::vector<double> errors;    ///< errors of places, one for each patch
+    /// The results of l3d_patch_model::surface_error() and normal_error().
     double surface_error = 0, normal_error = 0;
     double share = 0; ///< the largest ratio of an error of places to the allowed one
 
@@ -70,19 +73,20 @@ private:
     void learn(const contents* like, std::span<const std::size_t> places_in_like);
 };
 
-/// The errors that a program states for pieces that approximate another surface.
+/// The errors that a program states for pieces that approximate another surface
+/// (l3d_patch_model::standing_for).
 struct l3d_patch_model::stated {
-    stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
-
     /// Takes the stated errors. Clears `is_of_points` where errors of points may turn normals by
     /// any angle.
-    std::vector<l3d_patch_error> errors;
-    double places = 0;  ///< the largest
-    double normals = 0; ///< the largest among pieces with is_of_points
+    stated(std::span<const l3d_patch_error> of, const l3d_patch_model& model);
+
+    std::vector<l3d_patch_error> errors; ///< one for each piece
+    double places = 0;                   ///< largest error of places
+    double normals = 0; ///< largest error of normals among pieces with is_of_points
 };
 
-/// The pieces of a curved model, and the levels of it that were made so far. Levels of another
-/// model help to make them.
+/// The pieces of a curved model, and its levels that were made so far. Levels of another model,
+/// `like`, save work for equal cells.
 struct l3d_patch_model::source {
     using kept_levels = std::map<std::pair<int, int>, std::shared_ptr<const contents>>;
 
@@ -103,26 +107,27 @@ struct l3d_patch_model::source {
         constexpr double of_corner = 1.0 / 4;
         return {by.error, by.cells + of_corner * pieces.trim_corners(places)};
     }
-    /// Makes the contents for a wish with a region, or finds them. Null if the region hides
-    /// everything.
+    /// Makes the contents for a wish with a region, or finds those made before. Null if no cell may
+    /// be seen in the region.
     std::shared_ptr<const contents> seen(const l3d_cell_wish& wanted) const;
 
     l3d_curved_pieces pieces;
 
 private:
-    /// How many wishes' contents are kept: enough for some instances, or for some views in turn.
+    /// For how many wishes contents are kept: enough for some instances, or for some views in turn.
     static constexpr std::size_t most_seen = 8;
 
     l3d_cell_wish wish(int places, int normals) const {
         return {.places = pieces.place_target(places), .normals = normals};
     }
-    /// The cuts of a level. They start from the cuts of the next coarser level of places or, at
-    /// level 0 of places, of normals. So a level does not depend on the order of requests.
+    /// The cuts of a level. The search for them starts from the cuts of the next coarser level of
+    /// places or, at level 0 of places, of normals. So a level does not depend on the order of
+    /// requests.
     const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const;
 
     mutable std::mutex mutex_;
     mutable std::map<std::pair<int, int>, l3d_curved_pieces::cuts> cuts_;
-    /// Contents by their cuts: levels with the same cuts share one.
+    /// Contents by their cuts: levels with the same cuts share their contents.
     mutable std::map<std::vector<std::vector<double>>, std::shared_ptr<const contents>> made_;
     mutable kept_levels levels_;
     mutable l3d_found_cells found_;

@@ -14,9 +14,9 @@ namespace {
 
 using vector = l3d_seen_region::vector;
 
-/// The grids to which eyes and directions are rounded: a sixteenth of half of the picture. Coarser
-/// grids keep the region for longer while the camera moves, but make it larger. With a sixteenth,
-/// it is about twice as large as a picture of 4 by 3.
+/// The steps of the grids to which eyes and directions are rounded, as a share of half of the
+/// picture. Coarser grids keep the region for longer while the camera moves, but make the region
+/// larger. With a sixteenth, the region is about twice as large as a picture of 4 by 3.
 constexpr double grid_share = 1.0 / 16;
 
 /// The largest power of two that is at most x.
@@ -33,7 +33,7 @@ double value_of(const std::array<double, 4>& sum, const l3d_vector<double, 4>& p
     return sum[0] * p[0] + sum[1] * p[1] + sum[2] * p[2] + sum[3] * p[3];
 }
 
-/// A unit vector perpendicular to another one.
+/// Some unit vector perpendicular to v.
 vector across(const vector& v) {
     vector axis(0.0);
     int least = 0;

@@ -13,18 +13,20 @@
 #include <span>
 
 /// The part of space that a picture shows, with some space around it. It is a pyramid, or a square
-/// column in a parallel projection. Cells outside of it need not be fine.
+/// column in a parallel projection. Cells of curved models outside of the region are not needed.
 ///
-/// It depends on the view alone. The eye and the direction of sight are rounded to grids, so it
-/// stays the same while the camera moves a little.
+/// The region depends on the view alone. The eye and the direction of sight are rounded to grids,
+/// so the region stays the same while the camera moves a little.
 class l3d_seen_region {
 public:
     using vector = l3d_vector<double, 3>;
 
-    /// Makes the region of a view. Returns nothing if its numbers would be too small or too large.
+    /// Makes the region of a view. Returns nothing if the region's numbers would be too small or
+    /// too large.
     ///
     /// Units:   `least_depth` is the least distance along the view axis of anything drawn. `reach`
-    ///          is the largest distance from the target, for a parallel projection.
+    ///          is the largest distance of anything drawn from the target; it matters in a parallel
+    ///          projection only.
     /// Expects: a valid camera, least_depth > 0.
     static std::optional<l3d_seen_region> of(const l3d_camera& camera, l3d_size size,
                                              double least_depth, double reach);
@@ -35,10 +37,11 @@ public:
     /// Whether the hull of some points lies outside, beyond one of the four sides. Points are (x w,
     /// y w, z w, w) with positive weights w.
     bool hides(std::span<const l3d_vector<double, 4>> points) const;
-    /// Bounds the depth of the hull of such points from below, for any of the views. The depth is
-    /// the distance along the view axis, or 1 in a parallel projection. The bound may be negative.
+    /// A lower bound of the depth of the hull of some points, as in hides(), for every view with
+    /// this region. The depth is the distance along the view axis, or 1 in a parallel projection.
+    /// The bound may be negative.
     double least_depth(std::span<const l3d_vector<double, 4>> points) const;
-    /// Whether a box lies inside.
+    /// Whether a box, from its least to its largest coordinates, lies inside the region.
     bool holds(const vector& least, const vector& most) const;
 
     friend bool operator==(const l3d_seen_region&, const l3d_seen_region&) = default;

@@ -8,8 +8,8 @@
 #include <limits>
 
 /// An interval: all numbers from `low` to `high`. The result of an operation holds the results for
-/// all numbers of its operands. For this its ends are rounded outwards by one floating point
-/// number.
+/// all numbers of its operands. For this, the ends of results are rounded outwards by one floating
+/// point number.
 struct l3d_interval {
     double low = 0, high = 0;
 
@@ -18,7 +18,7 @@ struct l3d_interval {
     }
 
     double middle() const { return low / 2 + high / 2; }
-    /// The distance from the rounded middle to the farther end.
+    /// The distance from middle(), which is rounded, to the farther end.
     double radius() const {
         return std::nextafter(std::max(high - middle(), middle() - low), infinite);
     }
@@ -42,7 +42,7 @@ struct l3d_interval {
         return outwards(least, most);
     }
 
-    /// The square, tighter than the product with itself.
+    /// The squares of the interval's numbers: tighter than the product of the interval with itself.
     l3d_interval squared() const {
         const double a = std::abs(low), b = std::abs(high);
         const l3d_interval result =

@@ -10,21 +10,22 @@
 
 namespace {
 
-/// The share by which a part grows at each side before anything is proven about it. So a point on
-/// the border of two parts, or of two patches, lies inside both.
+/// The share of its size by which a part grows at each side before a hit in it is proven. So a
+/// point on the border of two parts, or of two patches, lies inside both.
 constexpr double margin = 0.125;
 /// The largest contraction with which Newton's operator proves a hit. Then the image of a part that
 /// holds a hit lies inside the inflated part: 2 x 0.08 x 0.625 <= 0.125.
 constexpr double most_contraction = 0.08;
-/// Parts within this many errors of the ray are not split, since it could not be told which half
-/// holds the hit.
+/// Parts whose distance from the ray is less than this many errors are not split, since nobody
+/// could tell which half holds the hit.
 constexpr double blurred_errors = 16;
-/// Parts that are no larger than this along u are not split along u, and so for v.
+/// Parts that are no larger than this along u are not split along u. The same holds for v.
 constexpr double least_size = 0x1p-48;
-/// The most steps, far more than a ray needs unless it runs along a surface. Beyond it no part is
-/// split.
+/// The largest number of steps of a search: far more than a ray needs, unless it runs along a
+/// surface. After so many steps, no part is split.
 constexpr long most_steps = 1 << 16;
-/// The most parts that are looked at to join unproven hits: 50 halvings of a few at a time.
+/// The largest number of parts that are looked at to join unproven hits: 50 halvings of a few parts
+/// at a time.
 constexpr int most_joined = 1 << 10;
 
 struct range {
@@ -34,7 +35,7 @@ struct range {
     double width() const { return high - low; }
 };
 
-/// The net of the same polynomial for u and v from -margin to 1 + margin.
+/// The net of the same surface for u and v from -margin to 1 + margin.
 l3d_ray_net inflated(const l3d_ray_net& net) {
     using curve = l3d_ray_net::curve;
     const auto stretched = [](const curve& c) {
@@ -67,7 +68,7 @@ l3d_ray_net inflated(const l3d_ray_net& net) {
     return result;
 }
 
-/// Bounds of the derivative of a coordinate along u or v, over all of the net.
+/// Bounds of the derivative of a coordinate by u or v, over all of the net.
 range slope(const l3d_ray_net& net, int coordinate, bool along_v) {
     range result{};
     for (int i = 0; i < 4; ++i)
@@ -81,13 +82,14 @@ range slope(const l3d_ray_net& net, int coordinate, bool along_v) {
     return {3 * result.low, 3 * result.high};
 }
 
-/// Newton's step with one matrix for the whole part, and its contraction there.
+/// Newton's step towards a hit, with one matrix for a whole part of a patch, and a bound of its
+/// contraction in the part.
 struct operator_of {
     double inverse[2][2];
-    double contraction; ///< in the maximum norm
+    double contraction; ///< bound of the contraction, in the maximum norm
     bool exists = false;
 
-    /// Expects: an inflated part, whose parameters go from 0 to 1.
+    /// Expects: an inflated part, whose own parameters go from 0 to 1.
     explicit operator_of(const l3d_ray_net& part) {
         range j[2][2];
         for (int coordinate = 0; coordinate < 2; ++coordinate)
@@ -118,7 +120,7 @@ struct operator_of {
         return {inverse[0][0] * f[0] + inverse[0][1] * f[1],
                 inverse[1][0] * f[0] + inverse[1][1] * f[1]};
     }
-    /// The most by which a step changes if values err by `error`.
+    /// The most by which a step changes if values of the net err by `error`.
     double blur(double error) const {
         return error * std::max(std::abs(inverse[0][0]) + std::abs(inverse[0][1]),
                                 std::abs(inverse[1][0]) + std::abs(inverse[1][1]));
@@ -201,8 +203,8 @@ void l3d_ray_search::split(const part& one) {
             push(std::move(half));
 }
 
-/// Settles a part if possible. Returns true if it certainly has no hit, or if its one hit is now in
-/// the heap.
+/// Settles a part if possible. Returns true if the part certainly has no hit, or if its only hit is
+/// now in the heap.
 bool l3d_ray_search::settle(const part& one) {
     const root& whole = roots_[one.root];
     const l3d_ray_net larger = inflated(one.net);

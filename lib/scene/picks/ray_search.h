@@ -11,18 +11,19 @@
 #include <utility>
 #include <vector>
 
-/// A patch as a ray sees it. Coordinates 0 and 1 are zero on the ray, and coordinate 2 is the depth
-/// along it. So w() is the patch's range of depths.
+/// A patch's net as a ray sees it. Coordinates 0 and 1 are zero on the ray, and coordinate 2 is the
+/// depth along the ray. So w() is the patch's range of depths.
 using l3d_ray_net = l3d_image_net;
 
 /// A place where the ray meets a patch.
 struct l3d_ray_hit {
-    std::size_t patch = 0; ///< the patch's number in add()
+    std::size_t patch = 0; ///< the number that the patch got in add()
     double u = 0, v = 0;   ///< the parameters, from 0 to 1
     double u_error = 0, v_error = 0;
     double depth = 0;
-    bool is_proven = false; ///< the hit is proven by Krawczyk's operator
-    /// For an unproven hit: the extent along which ray and surface cannot be told apart.
+    bool is_proven = false; ///< whether Krawczyk's operator proves the hit
+    /// For an unproven hit: the largest extent of the surface that cannot be told apart from the
+    /// ray, and its range of depths.
     double width = 0, depth_width = 0;
 };
 
@@ -30,8 +31,8 @@ struct l3d_ray_hit {
 /// nearest().
 class l3d_ray_search {
 public:
-    /// `near` and `far` limit the depth of hits. A proven hit counts only if `is_seen` is true for
-    /// it.
+    /// `near` and `far` limit the depth of hits. A proven hit counts only if `is_seen` returns true
+    /// for it.
     l3d_ray_search(double near, double far, std::function<bool(const l3d_ray_hit&)> is_seen)
         : near_(near), far_(far), is_seen_(std::move(is_seen)) {}
 
@@ -67,7 +68,7 @@ private:
     double near_, far_;
     std::function<bool(const l3d_ray_hit&)> is_seen_;
     std::vector<root> roots_;
-    std::vector<part> heap_; ///< the least depth first
+    std::vector<part> heap_; ///< parts still to be searched, the least depth first
     long steps_ = 0;
 };
 

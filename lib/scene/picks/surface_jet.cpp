@@ -28,7 +28,7 @@ public:
                     at(r, c) = at(r + 1, c) - at(r, c);
     }
 
-    /// Bounds the derivative's magnitude in a coordinate, by the convex hull.
+    /// A bound of the magnitude of one of the derivative's coordinates, by its control points.
     double most(int coordinate) {
         double result = 0;
         for (int r = 0; r < rows_; ++r)
@@ -52,7 +52,8 @@ public:
     }
 
 private:
-    /// The factors of a cubic's differences in its first, second and third derivative: 3, 6, 6.
+    /// The factor of differences of control points in a cubic's first, second or third derivative:
+    /// 3, 6, 6; 1 for none.
     static double scale(int times) { return times == 0 ? 1 : times == 1 ? 3 : 6; }
 
     static patch_3::point reduced(std::array<patch_3::point, 4>& p, int count, double t) {
@@ -69,7 +70,8 @@ private:
     double factor_, terms_;
 };
 
-/// All derivatives, as intervals for all parameters around a place.
+/// All derivatives of a patch, as intervals that hold for all parameters within an error of a
+/// place.
 class around {
 public:
     around(const patch_3& patch, double u, double v, double u_error, double v_error,
@@ -97,7 +99,8 @@ public:
 
 private:
     std::array<std::array<jet_vector, 4>, 4> derivatives_;
-    std::array<std::array<std::array<double, 3>, 5>, 5> most_{}; ///< magnitudes; 0 beyond order 3
+    /// Bounds of derivatives; 0 beyond order 3.
+    std::array<std::array<std::array<double, 3>, 5>, 5> most_{};
 };
 
 l3d_interval dot(const jet_vector& a, const jet_vector& b) {

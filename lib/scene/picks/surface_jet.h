@@ -18,8 +18,9 @@ struct l3d_surface_jet {
     using vector = std::array<l3d_interval, 3>;
 
     vector point;
-    std::optional<vector> normal; ///< unit, along dS/du x dS/dv; nothing where it may vanish
-    l3d_interval gaussian, mean;  ///< meaningful if there is a normal
+    /// The unit normal along dS/du x dS/dv; nothing if that may vanish.
+    std::optional<vector> normal;
+    l3d_interval gaussian, mean; ///< curvatures; meaningful if there is a normal
 
     /// A point and the derivatives there, each with its error.
     struct derivatives {
@@ -36,7 +37,7 @@ struct l3d_surface_jet {
 /// The middle of each coordinate's bounds.
 l3d_vector<double, 3> l3d_middle(const l3d_surface_jet::vector& v);
 
-/// A bound of the distance between the vector and l3d_middle of it.
+/// A bound of the distance between the vector and its l3d_middle.
 double l3d_radius(const l3d_surface_jet::vector& v);
 
 #endif

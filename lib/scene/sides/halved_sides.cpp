@@ -13,11 +13,12 @@ using patch = l3d_bezier_patch<double, 3>;
 using curve = patch::curve;
 using numbers = std::array<double, 12>;
 
-/// Sides with the same control points, in either direction.
+/// An entry of the table of sides: how many sides have the same control points, in either
+/// direction, and the first of them.
 struct met_sides {
     std::size_t count = 0;
     l3d_halved_side::place first{};
-    bool forward = false; ///< whether the first one's points sort before their reverse
+    bool forward = false; ///< whether the first side's points sort before their reverse
 };
 
 } // namespace

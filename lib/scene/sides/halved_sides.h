@@ -11,8 +11,9 @@
 #include <span>
 #include <vector>
 
-/// A side of a patch whose two halves are sides of other patches. Their control points are the
-/// same, bit for bit.
+/// A side of a patch whose two halves are sides of other patches. The halves have the same control
+/// points as those sides, bit for bit. Pictures draw such a side as its halves, so that no gap
+/// shows.
 ///
 /// Shape: sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
 struct l3d_halved_side {
@@ -20,10 +21,10 @@ struct l3d_halved_side {
     struct place {
         std::uint32_t patch = 0, side = 0;
     };
-    place of{};                    ///< the side
-    std::array<place, 2> beyond{}; ///< the two sides beyond it, in the order of the halves
-    /// Whether each side beyond is walked in the same direction, so that its patch has opposite
-    /// normals.
+    place of{};                    ///< the halved side
+    std::array<place, 2> beyond{}; ///< the other patches' sides, in the order of the halves
+    /// For each side beyond, whether it is walked in the same direction as its half. If so, its
+    /// patch has opposite normals.
     std::array<bool, 2> turns{};
 };
 
@@ -42,7 +43,7 @@ inline l3d_bezier_curve<double, 3> l3d_walked_side(const l3d_bezier_patch<double
     }
 }
 
-/// The coordinates of a curve's control points, as a key to compare. -0 becomes 0.
+/// The coordinates of a curve's control points, as a key of tables. -0 becomes 0.
 inline std::array<double, 12> l3d_numbers_of(const l3d_bezier_curve<double, 3>& curve) {
     std::array<double, 12> result{};
     for (std::size_t i = 0; i < 4; ++i)
@@ -51,8 +52,8 @@ inline std::array<double, 12> l3d_numbers_of(const l3d_bezier_curve<double, 3>& 
     return result;
 }
 
-/// Finds all halved sides, in the order of their patches. Neither a halved side nor a side beyond
-/// it equals any other side.
+/// Finds all halved sides, in the order of their patches. A side counts only if it equals no other
+/// side, and each of its halves equals exactly one.
 /// Cost: some 1 us a patch.
 std::vector<l3d_halved_side>
 l3d_find_halved_sides(std::span<const l3d_bezier_patch<double, 3>> patches);

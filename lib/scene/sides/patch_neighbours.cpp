@@ -14,12 +14,12 @@ namespace {
 using vector = l3d_patch_model::vector;
 using pairs = l3d_side_pairs;
 
-/// The number of places of a side at which normals are compared. A shared side's normals are of
-/// degree 5, so five places would do for curves that are the same. These are twice as many.
+/// The number of places of a side at which normals are compared. Normals along a side are of degree
+/// 5, so some five places would be enough to compare two patches. Here are twice as many.
 constexpr int places = 11;
 
 /// The least angle of a kink: eight levels of Lambert's grey, 229.5 n.l, or two degrees. At a
-/// smaller kink, nobody sees which of both patches a pixel shows.
+/// smaller kink, nobody sees which of the two patches a pixel shows.
 constexpr double least_angle = 8 / 229.5;
 
 vector unit(const vector& n) {
@@ -37,8 +37,8 @@ bool same_direction(const vector& a, const vector& b) {
     return l3d_dot(a, b) > 0 && l3d_length(c) < least_angle;
 }
 
-/// Whether the surface is smooth across a side. Neighbours that walk their side in the same
-/// direction have opposite normals.
+/// Whether the surface is smooth across a side. If both patches walk the side in the same
+/// direction, their normals are opposite.
 bool is_smooth(const l3d_patch_model& model, std::size_t patch, std::size_t side,
                const pairs::beyond& next) {
     const double turn = next.turns ? -1 : 1;

@@ -14,18 +14,19 @@
 
 /// Knows which sides of a model's patches end or break the surface, and which patches touch.
 ///
-/// A side lies inside the surface if l3d_side_pairs pairs it with another. It is smooth if normals
-/// on both sides point the same way, to within eight levels of grey. A side that is a point is
-/// smooth if all its normals point the same way.
+/// A side lies inside the surface if l3d_side_pairs pairs it with another. A side is smooth if the
+/// normals of both patches along it point the same way, to within eight shade levels. A side that
+/// is a point is smooth if all normals at it point the same way.
 /// Cost: some 10 us a patch.
 class l3d_patch_neighbours {
 public:
     explicit l3d_patch_neighbours(const l3d_patch_model& model);
 
-    /// The sides of a patch that are not smooth, as bits: v = 0, u = 1, v = 1, u = 0.
+    /// A bit for each side of a patch that is not smooth, in the order v = 0, u = 1, v = 1, u = 0.
     unsigned outlines(std::size_t patch) const { return outlines_[patch]; }
 
-    /// The patches that share a corner with this one, itself included, in order.
+    /// The indices of the patches that share a corner with this patch, its own included, in
+    /// ascending order.
     std::span<const std::uint32_t> touching(std::size_t patch) const { return touching_[patch]; }
 
 private:

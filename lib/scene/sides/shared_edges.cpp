@@ -13,18 +13,19 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// The parameters that divide an edge. Between two of them, each face has the edge wholly or not at
-/// all.
+/// The parameters that divide an edge into spans. Each face follows all of a span, or nothing of
+/// it.
 using stops = std::vector<double>;
 
-/// Parameters that differ by less than this part of the edge are one place, since files round them.
+/// Parameters of an edge that differ by less than this part of the edge are one stop, since files
+/// round them.
 constexpr double same_stop = 0x1p-30;
 
 double range_of(const l3d_nurbs_curve& curve) {
     return curve.along().to - curve.along().from;
 }
 
-/// Adds the parameters at which a loop takes up an edge or leaves it.
+/// Adds to an edge's stops the parameters at which a loop begins or ends to follow the edge.
 void add_stops(const l3d_trim_loop& loop, std::span<const l3d_model_edge> edges,
                std::vector<stops>& to) {
     for (std::size_t i = 0; i < loop.size(); ++i) {
@@ -69,9 +70,9 @@ std::vector<l3d_shared_edge::span> spans_of(const l3d_nurbs_curve& curve, const 
     return result;
 }
 
-/// Moves ends of edges to one place if they are near enough. That is, they are nearer than their
-/// edges' tolerances, or than the faces are off. The place is that of the end whose edge is the
-/// most exact. So a loose edge moves none that is tighter.
+/// Moves ends of edges to one place if they are near enough. They are near enough within their
+/// edges' tolerances, or within the distances of the edges from their faces. The common place is
+/// the end of the most exact edge. So a loose edge never moves the end of a tighter edge.
 void join_ends(std::vector<l3d_shared_edge>& edges) {
     struct end {
         vector at;
@@ -108,7 +109,7 @@ void join_ends(std::vector<l3d_shared_edge>& edges) {
     }
 }
 
-/// Measures how far a piece is off the edges that its trims follow, at places along each.
+/// Measures how far a piece is off the edges that its trims follow, at places along each edge.
 void measure(const l3d_patch_points& piece, std::span<const l3d_model_edge> edges,
              std::vector<l3d_shared_edge>& to) {
     constexpr int places = 8;

@@ -11,25 +11,26 @@
 #include <span>
 #include <vector>
 
-/// An edge of a model: a curve in space, cut into Bezier curves one after another.
+/// An edge of a model, at which trimmed faces end: a curve in space, cut into Bezier curves one
+/// after another.
 struct l3d_shared_edge {
     /// A part of the edge, from one parameter to another.
     struct span {
         double from, to;
         l3d_space_curve::bezier points;
     };
-    l3d_nurbs_curve curve; ///< as the file has it
+    l3d_nurbs_curve curve; ///< the curve as the file has it
     std::vector<span> spans;
-    /// The ends of the edge. Edges share an end if their own ends are near enough: by their
-    /// tolerances, or by how far they are off their faces.
+    /// The places of the edge's two ends. Ends of several edges become one place if they are near
+    /// enough: by the edges' tolerances, or by how far the edges are off their faces.
     std::array<l3d_vector<double, 3>, 2> ends{};
     /// The largest distance found between the edge and its faces, at the same parameters. It is
     /// measured at places of each trim curve, not proven.
     double off = 0;
-    l3d_vector<double, 3> worst{0.0, 0.0, 0.0}; ///< the place of the edge where it was found
-    double tolerance = 0;                       ///< the distance that the file allows
+    l3d_vector<double, 3> worst{0.0, 0.0, 0.0}; ///< the place of the edge where `off` was found
+    double tolerance = 0;                       ///< the largest `off` that the file allows
 
-    /// Notes a distance at a place of the edge.
+    /// Notes a distance to a face, measured at a place of the edge.
     void note(double distance, const l3d_vector<double, 3>& at) {
         if (distance > off) {
             off = distance;
@@ -38,12 +39,13 @@ struct l3d_shared_edge {
     }
 };
 
-/// The longest chord of a shared edge in the picture. Even a straight edge has as many points as
-/// its length asks for. So strips far outside the picture do not reach into it. Units: pixels.
+/// The longest chord of a shared edge in the picture. Straight edges are divided, too. So strips
+/// beside parts of an edge far outside the picture do not reach into it. Units: pixels.
 inline constexpr double l3d_longest_shared_chord = 16;
 
 /// Finds the edges that trims of these pieces follow. A span of an edge ends wherever a face begins
-/// or ends along the edge. Parameters of trims that are nearly such ends become equal to them.
+/// or ends along the edge. Parameters of trims that are nearly equal to the end of a span become
+/// equal to it.
 std::vector<l3d_shared_edge> l3d_shared_edges(std::span<const l3d_model_edge> edges,
                                               std::span<l3d_patch_points> pieces);
 

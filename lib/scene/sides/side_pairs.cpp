@@ -14,7 +14,7 @@ using numbers = std::array<double, 12>;
 
 struct side_of {
     std::size_t patch, side;
-    bool forward; ///< whether its points sort before their reverse
+    bool forward; ///< whether the side's points sort before their reverse
 };
 
 } // namespace
