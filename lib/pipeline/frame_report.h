@@ -24,8 +24,8 @@ struct L3D_PUBLIC l3d_common_times {
 
 /// The entries that the reports of patches' and of polygons' frames share.
 struct L3D_PUBLIC l3d_common_report {
-    int frame = 0;              ///< the frame's number, from 0; skipped frames count
-    std::string method;         ///< the name of the method that filled surfaces
+    int frame = 0;      ///< the frame's number, from 0; skipped frames count
+    std::string method; ///< the name of the method that filled surfaces
     /// The OpenGL renderer that filled surfaces; empty if the library itself did.
     std::string renderer;
     std::string real;           ///< the number type of the library, l3d_real_name()
@@ -104,7 +104,7 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
 /// Counts of the work of sorting a frame's triangles from back to front, in painting order.
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< triangles to be ordered
-    std::int64_t pairs = 0;     ///< pairs of triangles that were compared, since they may share pixels
+    std::int64_t pairs = 0; ///< pairs of triangles that were compared, since they may share pixels
     /// Sets of triangles that hide each other in a circle: without cuts they have no right order.
     std::int64_t knots = 0;
     std::int64_t knotted = 0; ///< triangles in the knots

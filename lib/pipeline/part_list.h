@@ -114,7 +114,7 @@ private:
     const line* line_at(int y) const;
 
     std::vector<l3d_listed_part> parts_, before_;
-    std::vector<line> tree_;           ///< all lines of the list; parts stand in the order of parts_
+    std::vector<line> tree_; ///< all lines of the list; parts stand in the order of parts_
     std::vector<std::size_t> line_of_; ///< the line of each part, in tree_
     std::optional<std::size_t> chosen_;
     bool is_shown_ = false, follows_chosen_ = false;

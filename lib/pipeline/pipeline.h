@@ -88,8 +88,8 @@ public:
     /// the time of the sleep.
     virtual bool is_at_rest() const { return false; }
 
-    /// A text that a panel in the window shows until the text changes; \n divides its lines. "" shows
-    /// no panel.
+    /// A text that a panel in the window shows until the text changes; \n divides its lines. ""
+    /// shows no panel.
     virtual std::string message() const { return {}; }
 
     /// The longest time that the program stays at rest without an event. rest_event is called after

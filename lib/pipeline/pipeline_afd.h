@@ -357,7 +357,7 @@ private:
     l3d_camera camera_;
     l3d_afd_settings settings_;
     bool stale_ = true;
-    bool untouched_ = false;  ///< whether nothing was drawn over the surfaces since they were filled
+    bool untouched_ = false; ///< whether nothing was drawn over the surfaces since they were filled
     bool is_foreign_ = false; ///< whether somebody changed the pixels while no frame was drawn
     bool is_drawing_ = false;
     l3d_pixel_box changed_;

@@ -32,13 +32,13 @@ struct L3D_PUBLIC l3d_method_frame {
     std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< the camera that sees the scene
     const l3d_matrix<double>& to_image; ///< map from world to image, for the library's own method
-    const l3d_dice_view& view;          ///< for the library's own method; others use camera.image_matrix
-    const l3d_shading& shading;         ///< lights, and the way to shade
-    l3d_pixels target;                  ///< the picture to draw into
-    l3d_depth_buffer& depth;            ///< 1 / distance for each pixel of the target, to be written
-    bool wants_depth;                   ///< whether depth is wanted; if not, `depth` may stay as it is
-    bool untouched;     ///< whether nobody wrote to the target since the last frame's end
-    bool counts_pixels; ///< whether the number of covered pixels is wanted
+    const l3d_dice_view& view;  ///< for the library's own method; others use camera.image_matrix
+    const l3d_shading& shading; ///< lights, and the way to shade
+    l3d_pixels target;          ///< the picture to draw into
+    l3d_depth_buffer& depth;    ///< 1 / distance for each pixel of the target, to be written
+    bool wants_depth;           ///< whether depth is wanted; if not, `depth` may stay as it is
+    bool untouched;             ///< whether nobody wrote to the target since the last frame's end
+    bool counts_pixels;         ///< whether the number of covered pixels is wanted
 
     /// The part of the picture to draw; the rest stays as it is. It is the whole picture if
     /// wants_depth is true, or if the method does not draw parts.

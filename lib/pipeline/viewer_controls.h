@@ -132,8 +132,8 @@ private:
     /// The camera that go_home or frame_all set; camera_ differs once it was moved.
     l3d_camera kept_;
     bool is_home_ = false, is_framed_ = false; ///< whether go_home or frame_all set kept_
-    vector upright_;                           ///< the model's direction up, even if the view is rolled or from above
-    vector up_; ///< the axis for turn(): upright_, or another one after roll()
+    vector upright_; ///< the model's direction up, even if the view is rolled or from above
+    vector up_;      ///< the axis for turn(): upright_, or another one after roll()
     double turn_speed_ = 1;
     l3d_size size_;
     drag drag_ = drag::none;
@@ -193,7 +193,7 @@ struct L3D_PUBLIC l3d_viewer_row {
 
 /// A panel that a viewer shows in every picture, and the corner for it.
 struct L3D_PUBLIC l3d_standing_panel {
-    l3d_panel panel{};                            ///< the panel; empty if there is none
+    l3d_panel panel{}; ///< the panel; empty if there is none
     /// The corner of the picture in which the panel stands.
     l3d_corner corner = l3d_corner::bottom_right;
 };
@@ -357,7 +357,7 @@ private:
     l3d_viewed viewed_;
     l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
-    std::ptrdiff_t own_end_ = 0;                ///< index in rows_ behind the viewer's and the program's own rows
+    std::ptrdiff_t own_end_ = 0; ///< index in rows_ behind the viewer's and the program's own rows
     /// The place that the user clicked on to measure from.
     std::optional<l3d_pointed_place> measured_;
     /// The places that the user clicked on to measure, for draw_marks.

@@ -162,13 +162,13 @@ public:
 protected:
     /// The inputs of a frame, for the subclass that draws it.
     struct scene {
-        l3d_pixels target;                       ///< the picture to draw into
-        const l3d_polygon_frame& frame;          ///< the model's triangles in the picture
+        l3d_pixels target;              ///< the picture to draw into
+        const l3d_polygon_frame& frame; ///< the model's triangles in the picture
         /// Materials of the triangles; empty if all are plain.
         std::span<const l3d_material> materials;
-        l3d_shading shading;                     ///< lights, and the way to shade
-        bool count_pixels;                       ///< whether covered pixels are to be counted
-        bool smooth_lines;                       ///< whether the sides of faces are drawn as smooth lines
+        l3d_shading shading; ///< lights, and the way to shade
+        bool count_pixels;   ///< whether covered pixels are to be counted
+        bool smooth_lines;   ///< whether the sides of faces are drawn as smooth lines
     };
 
     /// A pipeline that draws this model on this canvas. Errors: as l3d_workers and

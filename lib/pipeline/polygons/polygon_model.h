@@ -255,7 +255,7 @@ inline constexpr int l3d_usual_facets = 8;
 
 /// Patches as triangles, as l3d_tessellated makes them.
 struct L3D_PUBLIC l3d_patch_mesh {
-    l3d_polygon_mesh mesh;              ///< the triangles of all patches
+    l3d_polygon_mesh mesh; ///< the triangles of all patches
     /// For each patch, the number of faces up to the patch's last one.
     std::vector<std::size_t> face_ends;
 };

@@ -111,8 +111,8 @@ private:
 ///
 /// Each error is the largest distance from the exact value, rounding included.
 struct L3D_PUBLIC l3d_polygon_pick {
-    std::size_t face = 0;                   ///< index of the face in the mesh
-    std::string part{};                     ///< name of the face's part; empty if the face belongs to none
+    std::size_t face = 0; ///< index of the face in the mesh
+    std::string part{};   ///< name of the face's part; empty if the face belongs to none
     std::array<std::uint32_t, 3> corners{}; ///< vertices of the triangle that the ray meets
     std::array<double, 3> weights{};        ///< weights of the corners, whose mean is the point
     double weights_error = 0;               ///< error of each weight

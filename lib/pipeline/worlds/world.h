@@ -20,10 +20,10 @@
 
 /// The order in which polygons are drawn.
 enum class L3D_PUBLIC l3d_draw_order {
-    as_added,  ///< in the order of addition: later polygons cover earlier ones
+    as_added, ///< in the order of addition: later polygons cover earlier ones
     /// From far to near, by the mean distance of a polygon's corners; equally far ones as added.
     far_first,
-    by_depth,  ///< in any order: each pixel shows the polygon that is nearest there
+    by_depth, ///< in any order: each pixel shows the polygon that is nearest there
 };
 
 /// Transforms, clips and projects the polygons of a world's objects, and holds them for one frame,

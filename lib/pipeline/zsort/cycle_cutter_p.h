@@ -76,7 +76,7 @@ private:
     };
     /// Sets to be ordered; the last one is in front of all others, and comes next.
     std::vector<task> tasks_;
-    painter_cover cover_;     ///< pixels that later pieces cover, for a large knot
+    painter_cover cover_; ///< pixels that later pieces cover, for a large knot
     std::size_t most_without_search_;
     bool covers_ = false;
     ordered_components components_;

@@ -135,8 +135,8 @@ private:
     std::vector<call> calls_;
     /// Edges of all nodes in calls_; those of the last node stand at the end.
     std::vector<order_node> edges_;
-    std::vector<order_node> open_;  ///< nodes that were seen and are not in a component yet
-    order_node turn_ = 0;           ///< the node from which the walk goes on; all lesser nodes were emitted
+    std::vector<order_node> open_; ///< nodes that were seen and are not in a component yet
+    order_node turn_ = 0; ///< the node from which the walk goes on; all lesser nodes were emitted
     std::uint32_t next_ = 0;
 };
 

@@ -119,7 +119,7 @@ public:
     }
 
 private:
-    static constexpr int cell_bits = 3;                               ///< 3 bits: a tile has eight cells in a row
+    static constexpr int cell_bits = 3; ///< 3 bits: a tile has eight cells in a row
     /// The cells of the first column.
     static constexpr std::uint64_t first_column = 0x0101010101010101;
 
@@ -129,7 +129,7 @@ private:
     struct alignas(128) share_entries {
         std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
         std::size_t count = 0;                      ///< number of entries
-        std::vector<painter_entry> entries;         ///< the entries, and some more that are not in use
+        std::vector<painter_entry> entries; ///< the entries, and some more that are not in use
         std::vector<std::uint32_t> tiles;
         /// For each tile, the index behind the share's last entry in this tile.
         std::vector<std::uint32_t> ends;
