@@ -19,7 +19,7 @@ class l3d_options;
 /// A back-end, a way to show pictures: one row of the table of l3d_factory_manager.
 struct L3D_PUBLIC l3d_backend {
     std::string name;    ///< the back-end's name, as --backend takes it
-    std::string purpose; ///< what the back-end is for, in a few words
+    std::string purpose; ///< the back-end's use, in a few words
     /// Whether it is taken without a question if it is the first that can serve.
     bool automatic = false;
     bool on_display = false;   ///< whether it needs a display

@@ -16,10 +16,11 @@
 #include <string>
 #include <string_view>
 
-/// Writes the frames of a program to files. The name of --output says which frames: - "" writes
-/// nothing; - name.png or name.ppm gets the last frame; - name%04d.png gives every frame a file,
-/// numbered from 0 (also %d, %5d, %05d); - "-" gives every frame, as a stream of PPM pictures on
-/// the standard output.
+/// Writes the frames of a program to files. The name of --output says which frames.
+/// - "" writes nothing.
+/// - name.png or name.ppm gets the last frame.
+/// - name%04d.png gives every frame a file, numbered from 0 (also %d, %5d, %05d).
+/// - "-" gives every frame, as a stream of PPM pictures on the standard output.
 ///
 /// Any other percent sign is a part of the name, and %% stands for one.
 class L3D_PUBLIC l3d_frame_writer {
