@@ -382,8 +382,8 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
 }
 
 /// Adds the bounds of the kept pixels to the report. Drawing the whole frame might have diced
-/// further patches beside the parts, or patches that earlier batches do not hide. Of these patches
-/// only one thing is known: their steps would keep the tolerance.
+/// further patches beside the parts, or patches that earlier batches do not hide. It is only known
+/// that the steps of such patches would keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
     if (report_.pixels_kept > 0) {
