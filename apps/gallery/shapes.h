@@ -5,7 +5,7 @@
 
 #include <l3d/patch_model.h>
 
-// Every model stands on the ground, y = 0, about the upright axis.
+// Every model stands on the ground, y = 0, with the y axis in its middle.
 
 /// A ball of radius 1, on the ground.
 l3d_patch_model ball();
