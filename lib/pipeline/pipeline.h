@@ -151,8 +151,8 @@ struct L3D_PUBLIC l3d_caption {
 };
 
 /// Turns seconds into whole steps, so that a world that moves step by step is equally fast at any
-/// frame rate. At 60 steps a second, two steps are due per frame if there are 30 frames a second,
-/// and one step in every fifth frame if there are 300.
+/// frame rate. For example, with 60 steps a second and 30 frames a second, two steps are due per
+/// frame. With 300 frames a second, one step is due in every fifth frame.
 class L3D_PUBLIC l3d_ticker {
 public:
     /// Makes a ticker of `per_second` steps a second. Expects: per_second > 0.

@@ -162,8 +162,8 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 /// A program that only wants pictures uses this class as it is: the program changes scene(),
 /// camera() and settings(), and calls draw_event. A program with keys or with things of its own to
 /// draw derives a class. If nothing changed since the last frame, a frame draws nothing. If
-/// instances were only moved, and nothing is drawn on top of surfaces, a frame draws the parts of
-/// the picture at the instances' old and new places. Otherwise it draws the whole picture.
+/// instances were only moved, it draws the parts of the picture at their old and new places, unless
+/// things are drawn on top of surfaces. Otherwise it draws the whole picture.
 ///
 /// Expects: camera and settings without an l3d_afd_complaint, in every frame.
 /// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.

@@ -45,8 +45,8 @@ struct L3D_PUBLIC l3d_viewed {
     std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
 };
 
-/// Moves a viewer's camera by keys and mouse. The camera turns about its target, is dragged and
-/// zooms by the place under the pointer, shows a model from its sides, and frames all of the model.
+/// Moves a viewer's camera by keys and mouse. The camera turns about its target, and is dragged and
+/// zoomed by the place under the pointer. It can show a model from its sides, and show all of it.
 ///
 /// Lives: borrows screen and camera.
 class L3D_PUBLIC l3d_view_steering {

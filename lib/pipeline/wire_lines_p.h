@@ -61,10 +61,10 @@ private:
             }
     }
 
-    /// Adds the lines along a part's four sides. If part.border holds edges of a side, they are
-    /// drawn in place of the grid's own line there, so that both neighbours draw the same line.
-    /// Grid and border differ by a part of the tolerance: drawing both would look like one line
-    /// that is too bright. The thin triangles between grid and border are not drawn.
+    /// Adds the lines along a part's four sides. If part.border holds edges of a side, these are
+    /// drawn in place of the grid's line, so that both neighbours draw the same line. Grid and
+    /// border differ by a part of the tolerance: drawing both would look like one line that is too
+    /// bright. The thin triangles between grid and border are not drawn.
     void add_rim(const l3d_surface_part& part) {
         std::array<bool, 4> noted{};
         for (const l3d_border_edge& e : part.border) {

@@ -120,9 +120,9 @@ bool l3d_dispatcher_window::loop::rests() const {
     return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
 }
 
-/// Sleeps until the next picture is due, or until an event. update_event does not get the time of a
-/// sleep in which no picture is made. While the window is hidden, this time does not count;
-/// otherwise rest() tells the pipeline how long it was.
+/// Sleeps until the next picture is due, or until an event. If no picture is due, update_event does
+/// not get the time of the sleep. While the window is hidden, this time does not count; otherwise
+/// rest() tells the pipeline how long it was.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());

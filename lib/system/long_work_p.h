@@ -21,7 +21,7 @@
 namespace l3d_detail {
 
 /// Tells at a terminal that long work goes on. While the object lives, it writes "reading a.obj",
-/// then "reading a.obj, 1 s" and so on over the same line, and erases the line at the end. For work
+/// then "reading a.obj, 1 s" and so on over the same line. At the end it erases the line. For work
 /// of less than half a second it writes nothing.
 ///
 /// The work itself calls nothing: a thread of this object's own counts the seconds. If the system

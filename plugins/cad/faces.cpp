@@ -35,8 +35,8 @@ constexpr std::uint32_t no_edge = 0xffffffff; // l3d_no_edge
 /// The error of trimming curves in the plane of parameters, as a share of the face's range of
 /// parameters.
 constexpr double trim_share = 1e-9;
-/// Gaps between a loop's curves that are wider than this share of the loop's extent are closed by a
-/// line. l3d allows gaps of 2^-20 of the extent (l3d_trims_complaint).
+/// A line closes a gap between a loop's curves that is wider than this share of the loop's extent.
+/// The library l3d allows gaps of 2^-20 of the extent (l3d_trims_complaint).
 constexpr double gap_share = 0x1p-22;
 /// The farthest that a trimming curve may reach beyond its surface's parameters, in multiples of
 /// the face's range. Curves of sound files do so only by rounding, or by a period. Farther away,

@@ -142,8 +142,8 @@ struct cap_shapes::weights {
         /// Differences between the control points of exact patches and those of the cap's part.
         std::vector<double> differences;
         /// Differences in the faces that are still irregular, from the cap's first control point in
-        /// each face. surface_spread has the differences of all points on which the limit surface
-        /// depends, cap_spread those of the cap's other control points.
+        /// each face. The list surface_spread has the differences of all points on which the limit
+        /// surface depends. The list cap_spread has those of the cap's other control points.
         std::vector<double> surface_spread, cap_spread;
     };
     std::size_t vertices = 0;

@@ -25,7 +25,7 @@ inline wide_integer turn(const flat_place& a, const flat_place& b, const flat_pl
 }
 
 /// A tree that finds out whether any corner of a polygon lies in a triangle. Each node divides its
-/// corners into two halves, across the wider side of their box, and counts the corners that are not
+/// corners into two halves, across the wider side of their box. It counts its corners that are not
 /// removed yet.
 ///
 /// Cost:   making the tree of n corners takes n log n time. For a triangle without corners,
@@ -41,9 +41,9 @@ public:
     /// Removes a corner, so that any_in() ignores it. Expects: the corner is not removed yet.
     void remove(std::size_t corner);
 
-    /// Whether blocks(p, {ab, bc, ca}) is true for any corner p in the triangle or on its sides
-    /// that is not removed and is no corner of the triangle. ab, bc and ca are turn() of each side
-    /// with p; none is negative.
+    /// Whether blocks(p, {ab, bc, ca}) is true for any corner p in the triangle or on its sides.
+    /// The triangle's own corners and removed corners do not count. The numbers ab, bc and ca are
+    /// turn() of each side with p; none is negative.
     /// Expects: the triangle is counterclockwise.
     template <class Blocks>
     bool any_in(const std::array<std::size_t, 3>& triangle, const Blocks& blocks) const {

@@ -23,12 +23,12 @@
 #include <vector>
 
 /// Finds the triangles of a model that may be seen, and places them in the picture. It projects
-/// each vertex once, leaves out triangles that cannot be seen, and clips triangles that cross the
-/// near plane or reach too far out of the picture.
+/// each vertex once, and leaves out triangles that cannot be seen. It clips triangles that cross
+/// the near plane or reach too far out of the picture.
 ///
 /// Places are computed in double for every type of l3d_real, then rounded to 1/256 pixel. In a
 /// parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at the farthest
-/// point of the sphere around the model, and linear in between, as rasterizers need it.
+/// point of the sphere around the model, and linear in between.
 /// Expects: workers, model and view outlive each make().
 /// Cost:    memory, which is kept for the next frame: 32 bytes per vertex, 8 per drawn triangle,
 ///       and 72 more per triangle in parts. Anti-aliasing takes 13 more per triangle of the model.

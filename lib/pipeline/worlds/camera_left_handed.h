@@ -59,9 +59,9 @@ public:
     /// The axis that points forward, a unit vector in the world.
     const vector& forward() const { return forward_; }
 
-    /// Adds `times` times `thrust` to the velocity along each axis, as a press of a key does with
-    /// +1 or -1 for one axis, and 0 for the others. A velocity of 90 units per update of the book,
-    /// or more, is not increased further.
+    /// Adds the product of `times` and `thrust` to the velocity along each axis. A press of a key
+    /// has +1 or -1 for one axis, and 0 for the others. A velocity of 90 units per update of the
+    /// book, or more, is not increased further.
     void push(const by_axis& times);
     /// Adds to the spin about each axis `times` times 5 degrees per update of the book. A spin of
     /// 95 degrees per update, or more, is not increased further.

@@ -36,8 +36,8 @@ struct front_parts {
 inline constexpr double painter_tie = 0x1p-36;
 
 /// Whether the insides of two triangles meet, decided exactly. If they do not meet, the triangles
-/// have no pixel in common, since the fill rule treats a pixel's centre on an edge as if it lay a
-/// little to the right and below.
+/// have no pixel in common. This holds since the fill rule treats a pixel's centre on an edge as if
+/// it lay a little to the right and below.
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 

@@ -17,8 +17,8 @@ struct cover_tiles {
     std::int32_t columns, rows; ///< numbers of tiles in a row and in a column
 };
 
-/// The largest width and height of a triangle that tile_cover takes. 64 pixels are 2^14 steps of a
-/// corner's coordinate, and products of two such lengths fit into 32 bits. Units: pixels.
+/// The largest width and height of a triangle that tile_cover takes. It is 64 pixels, or 2^14 steps
+/// of a corner's coordinate, so that products of two lengths fit into 32 bits. Units: pixels.
 inline constexpr std::int32_t tile_cover_reach = 64;
 
 /// Finds the pixels that a triangle covers, by the fill rule of scan_polygon. `covers` gets a

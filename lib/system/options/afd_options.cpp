@@ -42,8 +42,8 @@ void check_place(const char* option, const l3d_camera::vector& place,
                                                  " from the origin");
 }
 
-/// A camera at the same distance from the target, but some 25 degrees above and beside it, so that
-/// three sides of a box are seen. The teapot's usual view is from a lower place.
+/// A camera at the same distance from the target, but some 25 degrees above and beside it. From
+/// there, three sides of a box are seen. The teapot's usual view is from a lower place.
 l3d_camera seen_from_above(l3d_camera camera) {
     const l3d_camera::vector direction = l3d_upright(camera.up).at(0.5, 0.5, 1);
     camera.eye = camera.target + l3d_normalized(direction) * l3d_length(camera.eye - camera.target);

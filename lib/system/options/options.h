@@ -95,9 +95,9 @@ public:
 
     /// Adds an option with three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
-    /// Adds an option that may be given several times. `take` gets the text of each in turn; if it
-    /// refuses a text, it throws an l3d_error that names the text. --help prints `preset` as the
-    /// default.
+    /// Adds an option that may be given several times. The function `take` gets the text of each in
+    /// turn. If it refuses a text, it throws an l3d_error that names the text. --help prints
+    /// `preset` as the default.
     void add_each(const std::string& name, const std::string& help, const std::string& kind,
                   const std::string& preset, std::function<void(const std::string&)> take);
 

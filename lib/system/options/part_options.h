@@ -55,8 +55,8 @@ public:
     void refuse_for_polygons() const;
 
     /// Applies --color, --hide and --show-only to a model of patches.
-    /// Errors:  l3d_error(usage) that names the option, for a name that is no part, with a list of
-    ///         the parts; also if no part is left.
+    /// Errors:  l3d_error(usage) for a name that is no part, with the option and a list of the
+    ///         parts; also if no part is left.
     l3d_patch_model applied(const l3d_patch_model& model) const;
     /// Applies --color, --hide and --show-only to a model of polygons.
     /// Errors:  as for patches; also l3d_error(usage) if --opacity was given.
