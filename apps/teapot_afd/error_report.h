@@ -26,7 +26,7 @@ struct error_report_scope {
 /// measured already.
 ///
 /// Errors:  l3d_error(failure) that names a file that cannot be written, or tells how many rows
-///         could not be measured. If rows could not be measured, all other rows are written.
+///          could not be measured. If rows could not be measured, all other rows are written.
 void write_error_report(const std::string& folder, const l3d_patch_model& model,
                         const l3d_camera& camera, l3d_size size, const error_report_scope& scope);
 

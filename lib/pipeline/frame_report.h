@@ -15,8 +15,8 @@
 /// Times of the stages that frames of patches and of polygons share, by the monotonic clock.
 /// Units: milliseconds.
 struct L3D_PUBLIC l3d_common_times {
-    double raster = 0;  ///< clearing, coverage, depth, shading, lines
-    double overlay = 0; ///< control nets and text
+    double raster = 0;  ///< clearing and filling the picture: coverage, depth, shading, lines
+    double overlay = 0; ///< drawing control nets and text on top
     double total = 0;   ///< all stages of drawing together, without `show` and `write`
     double show = 0;    ///< bringing the picture to the screen; not part of total
     double write = 0;   ///< writing picture files; not part of total

@@ -41,7 +41,7 @@ struct L3D_PUBLIC l3d_listed_part {
 ///
 /// Lives: a value.
 /// Cost:  a picture draws only the lines that have room. Finding a part by its name looks at all
-///       parts.
+///        parts.
 class L3D_PUBLIC l3d_part_list {
 public:
     /// Takes the names of a model's parts. Parts that the list had before keep their states and

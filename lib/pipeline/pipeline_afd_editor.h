@@ -134,7 +134,7 @@ private:
     std::vector<std::vector<member>> members_;             ///< the control points of each handle
     std::vector<std::pair<std::size_t, std::size_t>> net_; ///< handles that lines join, each once
     std::optional<std::size_t> marked_;
-    std::optional<grab> grab_; ///< the hold on the marked handle
+    std::optional<grab> grab_; ///< how the pointer holds the marked handle; none if it drags none
     std::vector<state> undo_;
     /// The handle that is being changed, and the kind of change. Further steps of this change add
     /// no state to undo.
@@ -148,7 +148,7 @@ private:
 /// Expects: the scene is one opaque instance, placed without a transform. For any other number of
 ///          instances, or a transparent one, the key for handles says why it shows none.
 /// Cost:    after a change the whole model is made again before the next frame. This takes some 10
-///       us a bicubic patch, and more for other pieces. The panel tells the time.
+///          us a bicubic patch, and more for other pieces. The panel tells the time.
 class L3D_PUBLIC l3d_pipeline_afd_editor : public l3d_pipeline_afd_viewer {
 public:
     /// Makes a viewer that shows no handles yet. Errors: as l3d_pipeline_afd.

@@ -36,7 +36,7 @@ public:
     /// variable that the name was read from, for messages.
     ///
     /// Errors:  l3d_error: usage if no row has the name; the errors of fail() if the row cannot
-    ///         serve.
+    ///          serve.
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
     /// Chooses a row without a question: the first automatic row that serves fully, else the first
@@ -44,7 +44,7 @@ public:
     /// user who set DISPLAY wants a window.
     ///
     /// Errors:  l3d_error: no_display or display_lost for a display that cannot be opened;
-    ///         otherwise no_backend, with all rows' reasons.
+    ///          otherwise no_backend, with all rows' reasons.
     const l3d_backend& automatic();
 
     /// Lets the user choose a row from a numbered list. The result is null for the answer q, which

@@ -20,8 +20,8 @@
 /// in its pipeline and its screen, and starts the loop.
 ///
 /// Lives:   borrows pipeline and screen. The dispatcher is made before them (step 3 of 5), so it is
-///        destroyed after them. A signal that ended the loop is raised again then, when everything
-///        is closed.
+///          destroyed after them. A signal that ended the loop is raised again then, when
+///          everything is closed.
 class L3D_PUBLIC l3d_dispatcher {
 public:
     l3d_dispatcher() = default;

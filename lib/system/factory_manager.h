@@ -62,7 +62,7 @@ public:
     ///          answered, or the user answered q at the prompt.
     ///
     /// Errors:  l3d_error: usage for an unknown name; no_display, with DISPLAY's value, if no
-    ///         display can be opened; otherwise no_backend, with all reasons.
+    ///          display can be opened; otherwise no_backend, with all reasons.
     bool choose(l3d_options& options);
 
     /// As choose(options), with the streams of the prompt. `may_ask` says whether the user may be
@@ -80,7 +80,7 @@ public:
     /// Makes a window for a notice that is shown before choose(), such as on a long reading. The
     /// window is that of the first automatic back-end that can open one.
     /// Errors:  null if the options or the environment name a back-end without a window, or if no
-    ///         window opens.
+    ///          window opens.
     std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,
                                               const l3d_screen_request& request) const;
 

@@ -27,7 +27,7 @@ class L3D_PUBLIC l3d_frame_writer {
 public:
     /// Takes the name, and opens no file yet.
     /// Errors:  l3d_error: usage for a name of none of these kinds, or if `alpha` is transparency
-    ///         and the name does not end in .png; failure for a missing folder.
+    ///          and the name does not end in .png; failure for a missing folder.
     explicit l3d_frame_writer(const std::string& name, l3d_alpha alpha = l3d_alpha::none);
 
     /// Takes a finished frame, and writes it if the name asks for every frame.

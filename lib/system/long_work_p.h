@@ -32,7 +32,7 @@ public:
     /// Starts telling of the work `what`. `is_shown` says whether the stream is a terminal; if not,
     /// nothing is written.
     /// Units:   `first` and `period`: milliseconds until the first line, and from each line to the
-    ///        next.
+    ///          next.
     long_work(std::ostream& out, bool is_shown, std::string what,
               std::chrono::milliseconds first = std::chrono::milliseconds(500),
               std::chrono::milliseconds period = std::chrono::seconds(1))

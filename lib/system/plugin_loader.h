@@ -18,7 +18,7 @@
 /// was built.
 ///
 /// Lives:   the objects do not need the loader. Each object holds its plug-in's library, which is
-///        closed with the last such object.
+///          closed with the last such object.
 class L3D_PUBLIC l3d_plugin_loader {
 public:
     /// Makes a loader. `program` begins its lines on stderr. `seed` starts the random numbers for

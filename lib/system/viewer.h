@@ -31,7 +31,7 @@ template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
 public:
     /// Makes the Pipeline of `arguments`, and sets its controls as `asked` says.
     /// Errors:  as l3d_report_writer, and as the Pipeline's constructor; l3d_error(usage) as
-    ///         l3d_program::check_transparency.
+    ///          l3d_program::check_transparency.
     template <class... Arguments>
     l3d_viewer(l3d_program& program, const l3d_afd_options& asked, Arguments&&... arguments)
         : Pipeline(std::forward<Arguments>(arguments)...), asked_(asked),

@@ -29,8 +29,8 @@ inline wide_integer turn(const flat_place& a, const flat_place& b, const flat_pl
 /// removed yet.
 ///
 /// Cost:   making the tree of n corners takes n log n time. For a triangle without corners,
-///       any_in() looks at the boxes that the triangle's sides cross, about sqrt(n). For other
-///       triangles it looks at fewer.
+///         any_in() looks at the boxes that the triangle's sides cross, about sqrt(n). For other
+///         triangles it looks at fewer.
 /// Source: Bentley: Multidimensional binary search trees used for associative searching (CACM 18,
 ///         1975).
 class corner_tree {

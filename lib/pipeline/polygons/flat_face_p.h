@@ -35,8 +35,8 @@ public:
     /// Each step cuts off the first ear: a corner for which the face's border does not enter the
     /// triangle of the corner and its two neighbours.
     /// Cost:   linear for a convex face. Otherwise n log n, and three questions to a corner_tree
-    ///       for each corner, since cutting a corner off changes only the triangles of its
-    ///       neighbours.
+    ///         for each corner, since cutting a corner off changes only the triangles of its
+    ///         neighbours.
     /// Source: Meisters: Polygons have ears (American Mathematical Monthly 82, 1975).
     std::vector<triangle> triangles() const;
 

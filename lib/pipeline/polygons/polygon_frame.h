@@ -31,7 +31,8 @@
 /// point of the sphere around the model, and linear in between.
 /// Expects: workers, model and view outlive each make().
 /// Cost:    memory, which is kept for the next frame: 32 bytes per vertex, 8 per drawn triangle,
-///       and 72 more per triangle in parts. Anti-aliasing takes 13 more per triangle of the model.
+///          and 72 more per triangle in parts. Anti-aliasing takes 13 more per triangle of the
+///          model.
 class l3d_polygon_frame {
 public:
     /// Which triangles make() chooses, and in which form it keeps them.

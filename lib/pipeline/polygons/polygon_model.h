@@ -56,8 +56,8 @@ inline constexpr double l3d_usual_crease_angle = 30;
 /// share its contents.
 /// Lives:   the contents live as long as any copy of the model, such as the one in a pipeline.
 /// Cost:    22 bytes for each triangle, and 12 for each normal of a face or vertex, beside the
-///       mesh. A closed mesh of triangles takes 68 bytes per face, model and mesh together. A copy
-///       only counts a reference. A move is a copy, so no model is ever without contents.
+///          mesh. A closed mesh of triangles takes 68 bytes per face, model and mesh together. A
+///          copy only counts a reference. A move is a copy, so no model is ever without contents.
 class L3D_PUBLIC l3d_polygon_model {
 public:
     /// A place in the model's space.
@@ -275,7 +275,7 @@ L3D_PUBLIC l3d_patch_mesh l3d_tessellated(const l3d_patch_model& model, int n);
 /// The mesh of a model file that was read: the file's polygons, and its patches as n by n quads
 /// each. `name` is the file's name for messages.
 /// Errors:  throws l3d_error(bad_input) for a file that holds neither polygons nor patches, and for
-///         patches that are not bicubic.
+///          patches that are not bicubic.
 /// Expects: n >= 1.
 L3D_PUBLIC l3d_polygon_mesh l3d_mesh_of(const l3d_model_file& file, const std::string& name, int n);
 

@@ -51,8 +51,8 @@ struct L3D_PUBLIC l3d_view_depths {
 /// depends on camera and placement.
 ///
 /// Shape:   matrix() takes model (x, y, z, 1) to (x, y, d, w). The place in the picture is the
-///        picture's centre plus (x / w, y / w), in pixels. d is the distance along the view axis. w
-///        is d in perspective, else 1.
+///          picture's centre plus (x / w, y / w), in pixels. d is the distance along the view axis.
+///          w is d in perspective, else 1.
 /// Expects: a valid camera; a placement that turns, moves and perhaps mirrors, and keeps lengths.
 class L3D_PUBLIC l3d_polygon_view {
 public:

@@ -94,7 +94,7 @@ public:
     /// Flies on for this time. A subclass with another way of motion overrides this function.
     /// Expects: seconds >= 0.
     /// Cost:    one turn about each axis that spins; the axes are made perpendicular and of length
-    ///       1 again, so that no rounding adds up.
+    ///          1 again, so that no rounding adds up.
     virtual void update(double seconds);
 
     /// Whether update() would change anything. A subclass that overrides update() overrides this
@@ -128,7 +128,7 @@ L3D_PUBLIC double l3d_fov_degrees(double term);
 /// first x points right, y up, and z away from the viewer.
 ///
 /// Units:   fovx and fovy are terms as l3d_fov_term returns them, for the picture's width and
-///        height. near_z and far_z are distances along the view axis.
+///          height. near_z and far_z are distances along the view axis.
 /// Expects: fovx, fovy > 0; 0 < near_z < far_z.
 template <class T> class L3D_PUBLIC l3d_camera_left_handed : public l3d_moveable<T> {
 public:

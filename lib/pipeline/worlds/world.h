@@ -32,7 +32,7 @@ enum class L3D_PUBLIC l3d_draw_order {
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
 /// at near_z, and far outside the picture. Polygons wholly beyond far_z are left out.
 /// Cost:   time linear in vertices and polygons, apart from sorting. The memory is that of the
-///       frame with the most polygons so far, at most 2^32.
+///         frame with the most polygons so far, at most 2^32.
 /// Source: the order of the steps is that of l3d_world::draw_all in the book.
 class L3D_PUBLIC l3d_facet_list {
 public:

@@ -21,7 +21,7 @@
 /// that its placement scales or shears, a model of the resulting shape is made, so that its normals
 /// are right.
 /// Cost:    linear in the triangles of objects that may be seen. One thread places a small object;
-///       all threads together place a large one.
+///          all threads together place a large one.
 class l3d_world_surfaces {
 public:
     /// Draws a frame. Returns: the number of triangles drawn, or of lines for a wireframe.

@@ -32,7 +32,7 @@ constexpr std::uint32_t number_of(order_node node) {
 /// is walked.
 ///
 /// Cost:   linear in nodes and edges; deep graphs take no stack. A node without edges costs a bit
-///       and a call. Memory is kept for the next walk.
+///         and a call. Memory is kept for the next walk.
 /// Source: Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
 class ordered_components {
 public:

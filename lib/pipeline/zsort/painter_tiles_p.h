@@ -127,7 +127,7 @@ private:
     /// tiles. The worker writes to its share often. So no two shares lie in one cache line, nor in
     /// one pair of lines, since some processors fetch both lines of a pair.
     struct alignas(128) share_entries {
-        std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
+        std::size_t first_chunk = 0, end_chunk = 0; ///< the share's range of chunks of items
         std::size_t count = 0;                      ///< number of entries
         std::vector<painter_entry> entries; ///< the entries, and some more that are not in use
         std::vector<std::uint32_t> tiles;

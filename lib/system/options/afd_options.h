@@ -29,7 +29,7 @@ public:
     /// not given come from the camera of --file-camera, or else from teapot_view(), turned so that
     /// the direction of --up is up.
     /// Errors:  l3d_error(usage) that names the option, if the values do not make a camera, or if
-    ///         the file has no camera of the name; l3d_error(bad_input) as file().
+    ///          the file has no camera of the name; l3d_error(bad_input) as file().
     l3d_camera camera() const;
 
     /// The camera of camera() if places_camera(). Otherwise `framed` makes of that camera one that

@@ -21,7 +21,7 @@ using load_watch = std::function<bool(const std::string& file, double share)>;
 
 /// Reads the model that a user means by its name, as l3d_data_file finds it.
 /// Errors:  as l3d_load_model; for an unknown name without a folder, the message names the data
-///         folder and its models.
+///          folder and its models.
 l3d_model_file load_named_model(const std::string& name, const load_watch& watch = {});
 
 /// The NURBS surfaces of a model that load_named_model can read, if it is an exact shape or an .obj

@@ -133,7 +133,7 @@ public:
     /// printed text.
     ///
     /// Errors:  l3d_error(usage) that names the option and the value. It is also thrown if two
-    ///         options name the same file, or both name the standard output.
+    ///          options name the same file, or both name the standard output.
     bool parse(int argc, const char* const* argv);
     /// As parse(argc, argv), but prints the texts of --help and --version on `out`.
     bool parse(int argc, const char* const* argv, std::ostream& out);

@@ -29,7 +29,7 @@ void check_folder(const std::string& option, const std::string& name, const std:
 /// Checks the name of a file for --depth-output and similar options: its ending, such as ".pfm",
 /// and its folder.
 /// Errors:  l3d_error: usage if the name has another ending than `ending`; failure for a missing
-///         folder.
+///          folder.
 void check_ending(const std::string& option, const std::string& name, const std::string& ending);
 
 } // namespace l3d_detail

@@ -56,7 +56,7 @@ public:
 
     /// Applies --color, --hide and --show-only to a model of patches.
     /// Errors:  l3d_error(usage) for a name that is no part, with the option and a list of the
-    ///         parts; also if no part is left.
+    ///          parts; also if no part is left.
     l3d_patch_model applied(const l3d_patch_model& model) const;
     /// Applies --color, --hide and --show-only to a model of polygons.
     /// Errors:  as for patches; also l3d_error(usage) if --opacity was given.

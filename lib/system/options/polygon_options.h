@@ -30,7 +30,7 @@ public:
     /// Adds the options to `options`. Without --pipeline, trimmed and subdivided surfaces are drawn
     /// as patches. If `prefers_patches` is true, any model of patches alone is drawn as patches,
     /// too.
-    /// Lives: borrows both until parse() is done.
+    /// Lives: borrows both arguments until parse() is done.
     l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared,
                         bool prefers_patches = false);
     l3d_polygon_options(const l3d_polygon_options&) = delete;
