@@ -10,7 +10,7 @@
 #include <cmath>
 #include <cstdint>
 
-/// Mixes two colours. Expects: the share of the second one, from 0 to 1.
+/// Mixes two colours. `share` is the part of the second one, from 0 to 1.
 inline std::uint32_t mixed(std::uint32_t first, std::uint32_t second, double share) {
     std::uint32_t word = 0;
     for (int shift = 0; shift < 24; shift += 8) {
@@ -20,8 +20,8 @@ inline std::uint32_t mixed(std::uint32_t first, std::uint32_t second, double sha
     return word;
 }
 
-/// The brightness of a turned face in a light from above, from the left and from the viewer. It is
-/// 0.25 in the shadow, and 1 in full light.
+/// The brightness of a face, after the matrix `turned` has turned the mesh: 0.25 in the shadow, and
+/// 1 in full light. The light comes from above, from the left and from the viewer.
 inline double light_on(const l3d_polygon_mesh& mesh, std::size_t face,
                        const l3d_matrix<double>& turned) {
     const auto corners = mesh.face(face);

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-/// A shape, and the name that people read.
+/// A shape for the program nurbs: its surfaces, and its name for the user.
 struct shape {
     std::string_view name;
     std::vector<l3d_nurbs_surface> surfaces;
@@ -17,7 +17,7 @@ struct shape {
 
 /// The number of shapes: a vase, a sheet, and the exact shapes of the library.
 std::size_t shape_count();
-/// The shape at this index. Expects: index < shape_count().
+/// Makes the shape with this index. Expects: index < shape_count().
 shape shape_at(std::size_t index);
 
 #endif

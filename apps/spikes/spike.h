@@ -7,17 +7,18 @@
 #include <l3d/camera_left_handed.h>
 #include <l3d/object.h>
 
-/// The properties that all spikes of one program share. Units: world units, and world units for
-/// each update of the book.
+/// The properties that all spikes of one program share.
+/// Units: lengths in world units; speeds in world units per update of the book.
 struct spike_kind {
     double length = 100, width = 10;
-    int spread = 1000; ///< starts are at most this far to the sides
+    int spread = 1000; ///< a start is at most this far to each side
     int nearest_start = 100, farthest_start = 1099;
     int slowest = 5, fastest = 79;
-    int fastest_turn = 0; ///< largest turn about each axis, in degrees
+    int fastest_turn = 0; ///< largest turn about each axis, in degrees per update
 };
 
-/// A spike's mesh: three sides, red, green and blue, and no base; the tip comes first.
+/// A spike's mesh: three sides, red, green and blue, and no base. The tip lies at the origin and
+/// points to the viewer.
 inline l3d_polygon_mesh spike_mesh(const spike_kind& kind) {
     const double l = kind.length, w = kind.width;
     l3d_polygon_mesh mesh;
@@ -29,8 +30,8 @@ inline l3d_polygon_mesh spike_mesh(const spike_kind& kind) {
     return mesh;
 }
 
-/// A spike that flies towards the viewer. Once it has arrived, it starts again from another place
-/// and at another speed.
+/// A spike that flies towards the viewer. After its arrival, the spike starts again from another
+/// place and at another speed.
 ///
 /// Lives:   borrows the random numbers.
 class spike final : public l3d_object {
@@ -61,7 +62,7 @@ private:
             start();
     }
 
-    /// Makes the placement anew from angles and places, so that no rounding adds up.
+    /// Makes the placement anew from the spike's angles and place, so that no rounding adds up.
     void set_placement() {
         set_transform(0, l3d_rotation_x<real>(angles_[0]));
         set_transform(1, l3d_rotation_y<real>(angles_[1]));

@@ -6,7 +6,7 @@
 #include <l3d/world.h>
 #include "spike.h"
 
-/// A hundred and fifty spikes of one kind, and a viewer at the origin.
+/// A world of a hundred and fifty spikes of one kind, and a viewer at the origin.
 class spikes_world final : public l3d_world {
 public:
     spikes_world(l3d_size size, std::uint64_t seed, const spike_kind& kind)

@@ -18,27 +18,30 @@
 #include <utility>
 #include <vector>
 
-/// A mesh beside its surfaces, with the distances between them.
+/// Compares a mesh with the surfaces that it stands for: the distances between them, as numbers and
+/// as colours.
 class mesh_audit {
 public:
     using vector = l3d_surface_audit::vector;
 
-    /// Loads the mesh, and compares. `tolerance` is the width of bounds as a part of the model's
-    /// diagonal.
+    /// Loads the mesh, and compares it with `surface`. Distances are bounded from both sides;
+    /// `tolerance` is the largest gap between the bounds, as a part of the model's diagonal.
     /// Errors: l3d_error(bad_input) with file, line and reason, also for a file of surfaces.
     mesh_audit(std::string surface_file, const l3d_patch_model& surface, std::string mesh_file,
                double tolerance);
 
-    /// A line of JSON.
+    /// The results as a line of JSON.
     std::string json() const;
-    /// A guess at the unit of a mesh of another size, for people; "" if both are of about one size.
+    /// A line for the user that guesses the unit of the mesh, if its size differs much from the
+    /// surfaces'; otherwise "".
     std::string hint() const;
 
-    /// The mesh in the colours of its distance, with a mark at the worst place.
+    /// The mesh, coloured by its distance from the surfaces, with a mark at the place of the
+    /// largest distance.
     l3d_polygon_model picture() const;
-    /// The meaning of the colours.
+    /// A panel that tells the meaning of the colours.
     l3d_panel legend() const;
-    /// A direction from which the worst place is likely to be seen.
+    /// A direction from which the place of the largest distance is likely to be seen.
     vector sight() const { return sight_; }
 
 private:
@@ -46,8 +49,9 @@ private:
     l3d_color color_of(double distance) const;
 
     std::string surface_file_, mesh_file_;
-    std::uint32_t face_ = 0; ///< the number of the face with that place; 0 if faces have none
-    std::string part_;       ///< the name of the part with the surface's worst place; may be empty
+    /// Number of the file's face with the surfaces' worst place; 0 if faces have no numbers.
+    std::uint32_t face_ = 0;
+    std::string part_; ///< name of the part with the surfaces' worst place; may be empty
     std::size_t pieces_;
     l3d_polygon_model mesh_;
     double diagonal_, tolerance_;
@@ -57,7 +61,7 @@ private:
     vector sight_{0.0, 0.0, 1.0};
 };
 
-/// The picture of an audit.
+/// A viewer that shows the picture of an audit, with its legend.
 class audit_viewer : public l3d_pipeline_zbuffer {
 public:
     audit_viewer(l3d_canvas canvas, const mesh_audit& audit, const l3d_camera& camera,

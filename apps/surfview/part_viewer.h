@@ -12,17 +12,19 @@
 #include <string>
 #include <utility>
 
-/// Adds a list of parts and a section plane to `Shown`, patches_in_parts or polygons_in_parts.
+/// A viewer whose user chooses parts in a list and moves a section plane, with keys and mouse.
+/// `Shown` is patches_in_parts or polygons_in_parts.
 template <class Shown> class part_viewer : public Shown {
 public:
-    /// The arguments are those of `Shown`.
+    /// The arguments are those of the constructor of `Shown`.
     template <class... Arguments>
     explicit part_viewer(Arguments&&... arguments) : Shown(std::forward<Arguments>(arguments)...) {
         add_rows();
     }
 
-    /// Shows what the list of parts and the section leave of the model. `asked` gets the list to
-    /// change. The list is in the picture if that is wanted and there is more than one part.
+    /// Shows the model as the options ask for it at the start. `asked` changes the list of parts as
+    /// the options say. The list is in the picture if `with_list` is true and there is more than
+    /// one part.
     template <class Asked>
     void begin(const Asked& asked, const section_plane& section, bool with_list) {
         asked(this->list());
@@ -31,7 +33,8 @@ public:
         this->list().show(with_list && this->list().parts().size() > 1);
     }
 
-    /// The options that hide, colour and cut parts as the viewer does now, each after a blank.
+    /// The command-line options that hide, colour and cut parts as the viewer does now, each after
+    /// a blank.
     std::string part_options() {
         std::string text;
         const auto parts = this->list().parts();
@@ -57,7 +60,8 @@ public:
             apply(this->controls().message());
     }
 
-    /// Hands events over the list on to it. A click beside the list chooses the part that is there.
+    /// Hands events of the pointer over the list to the list. A click beside the list chooses the
+    /// part that is seen there.
     void pointer_event(const l3d_event& event) override {
         if (std::string said; this->list().pointer(event, said)) {
             apply(said);
@@ -131,7 +135,8 @@ private:
                       {{';', section([](section_keys& keys) { return keys.flip(); })}}});
     }
 
-    /// Draws what the list and the section leave of the model, and shows the line `said`.
+    /// Draws the parts of the model that the list shows, cut by the section, and shows the line
+    /// `said` to the user.
     void apply(const std::string& said) {
         const l3d_listed_part* const chosen = this->list().chosen();
         const std::string name = chosen ? chosen->name : "the part";
@@ -163,7 +168,7 @@ private:
         this->redraw();
     }
 
-    /// A word in quotes for a shell.
+    /// The word as a shell reads it, in quotes if needed.
     static std::string quoted(const std::string& word) {
         const bool is_plain = std::ranges::all_of(word, [](char c) {
             return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

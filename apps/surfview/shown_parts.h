@@ -19,8 +19,8 @@
 
 using section_plane = std::optional<l3d_plane<double>>;
 
-/// Draws the patches that a list of parts and a section leave. The picture cuts the patches, so the
-/// model stays whole.
+/// A viewer of patches that draws the parts that a list shows, cut by a section. Patches are cut
+/// while they are drawn, so the model stays whole.
 class patches_in_parts : public l3d_pipeline_afd_viewer {
 public:
     using l3d_pipeline_afd_viewer::l3d_pipeline_afd_viewer;
@@ -28,15 +28,15 @@ public:
 protected:
     l3d_part_list& list() { return parts().list(); }
 
-    /// Shows the model as the list and the section say. Returns false, and takes the list's last
-    /// change back, if no part would be left.
+    /// Shows the parts as the list says, cut by the section. If no part would be left, it takes the
+    /// list's last change back and returns false.
     bool apply(const section_plane& section) {
         settings().section = section;
         redraw();
         return parts().apply();
     }
 
-    /// The reach of all that is shown, or of a part alone.
+    /// How far all shown parts reach in each direction, for l3d_framed.
     l3d_reach reach_of_all() { return l3d_reach_of(scene()); }
     l3d_reach reach_of_part(const std::string& name) {
         alone_ = {};
@@ -46,15 +46,15 @@ protected:
         return l3d_reach_of(alone_);
     }
 
-    /// Whether the view has changed so that apply() is due.
+    /// Whether the model was turned, so that apply() must cut it anew.
     bool is_turned() const { return false; }
 
 private:
-    l3d_patch_scene alone_; ///< borrowed by a reach
+    l3d_patch_scene alone_; ///< the part of the last reach_of_part, whose result borrows it
 };
 
-/// Draws the polygons that a list of parts and a section leave. The mesh itself is cut, and cut
-/// anew whenever the model is turned.
+/// A viewer of polygons that draws the parts that a list shows, cut by a section. The mesh itself
+/// is cut, anew whenever the model is turned.
 template <class Pipeline> class polygons_in_parts : public Pipeline {
 public:
     template <class... Arguments>
@@ -104,7 +104,7 @@ private:
                                   this->settings().rotation_order);
     }
 
-    /// A plane of the world among the model's points.
+    /// A plane of the world in the model's coordinates.
     l3d_plane<double> in_model(const l3d_plane<double>& plane) {
         const l3d_matrix<double> m = placement();
         l3d_plane<double> result{{0.0, 0.0, 0.0}, plane.d};

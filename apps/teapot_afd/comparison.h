@@ -11,26 +11,27 @@
 #include <optional>
 #include <string>
 
-/// The text about a method, on the method's half of the window. Units: milliseconds, pixels.
+/// The text about a method in its half of the window: name, time, bound and measured error.
+/// Units: milliseconds; pixels.
 struct caption {
     std::string method;
-    /// The time that drawing takes, by l3d_picture_pace.
+    /// The mean time that drawing a picture takes, by l3d_picture_pace.
     double milliseconds = 0;
-    /// Whether the time is shown. Pictures in files leave it out, so that they are the same each
-    /// time.
+    /// Whether the text has the time. Pictures in files leave the time out, so that they are the
+    /// same in each run.
     bool shows_time = false;
     double bound_px = 0;
-    /// Nothing if the method keeps no tolerance.
+    /// The tolerance; nothing if the method keeps no tolerance.
     std::optional<double> tolerance_px;
-    /// Whether the error is measured: not at all, measurement running, or known as `measured`.
+    /// The state of the error: not measured at all, being measured, or known as `measured`.
     enum class error_state { none, awaited, known } error = error_state::none;
     /// Seconds since the measurement began.
     int awaited_seconds = 0;
     live_result measured;
 
-    /// The panel for the upper right corner of a half of this size. It covers at most half of that
-    /// area. If there is too little room, the panel has short lines, then only the method's name,
-    /// then nothing.
+    /// The panel with the text, for the upper right corner of a half of this size. It covers at
+    /// most half of this area. If there is too little room, the panel has short lines, then only
+    /// the method's name, then nothing.
     l3d_panel panel(l3d_size half, const l3d_panel_style& style) const;
 
 private:
@@ -49,30 +50,31 @@ private:
     void draw_overlay() override;
 };
 
-/// A viewer that draws its own pictures in the left half of the window. The right half shows
-/// another method, from the same place with the same settings. Under each method's name stand its
-/// time, its bound and its error, which is measured in the background.
+/// A viewer that compares two methods side by side. The left half of the window is the viewer's own
+/// picture. The right half shows another method, by the same camera and settings. Each half has a
+/// caption with the method's name, time, bound and error, which is measured in the background.
 ///
-/// Parts that are hidden on the left are hidden on the right, and in the exact picture.
+/// Parts that are hidden on the left are hidden on the right, too, and in the exact picture.
 ///
-/// Edges are stairs at first, since only AFD has smooth ones. The key m takes the next method on
-/// the right. The key b gives that method the time of the left one instead of its tolerance. It
-/// then draws as exactly as it can in that time.
+/// Edges are not smooth at first, since only AFD has smooth edges. The key m takes the next method
+/// on the right. The key b gives the right method the time of the left one instead of its
+/// tolerance: it then draws as exactly as it can in this time.
 ///
-/// Lives:   owns the screen. Each of its halves is a screen to one of the pipelines.
+/// Lives:   owns the screen. Each half is a screen for one of the two pipelines.
 class comparison : public l3d_pipeline_afd_viewer {
 public:
     /// Errors: as l3d_pipeline_afd, and l3d_error if the other method cannot be created here.
     comparison(l3d_canvas canvas, const l3d_patch_model& model, const l3d_camera& camera,
                const l3d_afd_settings& settings, const l3d_method_choice& other);
 
-    /// The screen with both halves, for the dispatcher.
+    /// The whole screen, with both halves, for the dispatcher.
     l3d_screen& whole() { return *whole_; }
 
-    /// The left half's report, with the number of the whole window's picture.
+    /// The report of the left half's last frame, with the frame number of the whole window.
     l3d_frame_report report() const;
 
-    /// Picks at (x, y) of the whole picture, in the half that holds that place.
+    /// Finds the surface that is seen at (x, y) of the whole picture, in the half that holds this
+    /// place.
     std::optional<l3d_pick> pick(double x, double y) const;
 
     void pointer_event(const l3d_event& event) override;
@@ -114,18 +116,19 @@ private:
     std::shared_ptr<l3d_screen> whole_;
     other_half other_;
     l3d_method_choice other_method_;
-    bool drags_right_ = false; ///< the last drag began in the right half
+    bool drags_right_ = false; ///< whether the last drag began in the right half
     bool equal_time_ = false;
-    /// The tolerance that the right half has while it gets the time of the left one.
+    /// The tolerance of the right half while it has the time of the left one.
     double other_tolerance_;
-    /// The number of frames that are still to be drawn although nothing moves.
+    /// The number of frames still to be drawn, although nothing moves, until the right half's
+    /// tolerance settles.
     int frames_to_settle_ = 0;
-    /// The number of the last frame, for which the halves may be drawn twice.
+    /// The number of the window's last frame. For one frame, the halves may be drawn twice.
     int frame_ = -1;
     caption text_;
     l3d_picture_pace other_pace_; ///< pace of the right half
     live_error live_;
-    /// The subjects of the running or last measurement, and the subjects of the errors in the
+    /// The subjects of the measurement that runs or ran last, and the subjects of the errors in the
     /// captions.
     subjects begun_, measured_;
 };

@@ -11,23 +11,23 @@
 #include <string>
 #include <utility>
 
-/// The places of the two halves of a picture, which are equally wide. Units: pixels.
+/// The places of the left and the right half of a picture. Both are equally wide. Units: pixels.
 struct halves {
     int width;       ///< width of each half
     int right_start; ///< first column of the right half
 
-    /// Divides a picture of `whole` columns. Two or three columns stay free between the halves if
-    /// there are more than three in all. A single column serves as both halves.
+    /// Divides a picture of `whole` columns. If there are more than three columns, two or three
+    /// stay free between the halves. A single column serves as both halves.
     /// Expects: at least one column.
     explicit halves(int whole) : width(std::max(1, (whole - 2) / 2)), right_start(whole - width) {}
 
     int line_width() const { return std::max(0, right_start - width); }
 };
 
-/// One half of a screen, as a screen of its own. Events go to the whole screen, and its owner shows
-/// the picture.
+/// One half of a screen, as a screen of its own for a pipeline. Events go to the whole screen, and
+/// the whole screen's owner shows the picture.
 ///
-/// Lives: shares the screen.
+/// Lives: shares the whole screen.
 class half_screen final : public l3d_screen {
 public:
     enum class side { left, right };

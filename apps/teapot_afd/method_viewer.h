@@ -11,20 +11,21 @@
 #include <optional>
 #include <string>
 
-/// A viewer whose shade `error` shows each pixel's error as the exact renderer measures it. The
-/// scale ends at the tolerance. Windows show the certified bounds until the error is known. Scenes
-/// that are transparent in part, one-sided, or cut by the far plane have no exact picture, and show
-/// bounds. Pixels that cannot be measured, at outlines and creases, are grey.
+/// A viewer of patches with a key that steps through the methods. Its shade `error` shows each
+/// pixel's error, measured by the exact renderer; the scale ends at the tolerance. Windows show the
+/// certified bounds until the error is known. Scenes that are transparent in part, one-sided, or
+/// cut by the far plane have no exact picture, and show bounds. Pixels that cannot be measured, at
+/// outlines and creases, are grey.
 ///
 /// Lives: as l3d_pipeline_afd_editor.
 class method_viewer : public l3d_pipeline_afd_editor {
 public:
-    /// Begins with `first`, the method that l3d_method_option has chosen. Expects: settings of this
-    /// method.
+    /// Begins with `first`, the method that l3d_method_option has chosen. Expects: the settings
+    /// have this method.
     method_viewer(l3d_canvas canvas, const l3d_patch_scene& scene, const l3d_camera& camera,
                   const l3d_afd_settings& settings, const l3d_method_choice& first);
 
-    /// The report of the last frame, with the number of its picture.
+    /// The report of the last frame, with the viewer's own number of the frame.
     l3d_frame_report report() const;
 
     void draw_event() override;
@@ -44,16 +45,16 @@ private:
     void take_errors();
     void paint_errors();
 
-    /// The number of the last frame, which may be drawn twice.
+    /// The number of the last frame. The pipeline may draw one frame twice.
     int frame_ = -1;
     l3d_method_choice method_;
     /// The fog that the user asked for.
     const l3d_fog fog_;
     /// Whether the scene is one opaque model.
     bool is_one_model_;
-    /// The error's measurement, made at its first use.
+    /// Measures errors; made at the first use.
     std::optional<live_error> live_;
-    /// The subject of the running or last measurement.
+    /// The subject of the measurement that runs or ran last.
     live_subject begun_;
     std::optional<reference::error_map> errors_;
     /// The subject that errors_ were measured for.
@@ -62,16 +63,17 @@ private:
     bool shows_errors_ = false;
 };
 
-/// The settings without those that their method cannot show. These are the wireframe, fog, and
-/// shades that need its bound or exact patches.
+/// The settings, without those that their method cannot show: the wireframe, fog, and shades that
+/// need a bound of the error or exact patches.
 l3d_afd_settings as_method_can(l3d_afd_settings settings);
 
-/// Makes a pipeline draw with another method, without the settings that this cannot show.
+/// Makes a pipeline draw with another method, without the settings that this method cannot show.
 /// Errors:  l3d_error if the method cannot be created here; then nothing changes.
 void show_method(l3d_pipeline_afd& pipeline, const l3d_method_choice& method);
 
-/// Makes a pipeline draw with the next method that can be created here. Returns a line that names
-/// it. If others had to be skipped, the line names them, too, with the reason.
+/// Makes a pipeline draw with the next method that can be created here. Returns a line for the user
+/// that names this method. If other methods had to be skipped, the line names them, too, with the
+/// reason.
 std::string show_next_method(l3d_pipeline_afd& pipeline, l3d_method_choice& method);
 
 #endif

@@ -8,19 +8,21 @@
 
 #include <string>
 
-/// Compares Whitted's and Blinn's scan lines. Writes how many iterations they take, and how many
-/// fail: scan_lines.csv. Also writes folded patches as three methods draw them, with wrong pixels
-/// marked: scan_folds.png.
-/// Errors:  here and below, l3d_error(failure) that names the file.
+/// Compares the scan line methods of Whitted and Blinn. Writes scan_lines.csv: how many iterations
+/// the methods take, and how many iterations fail. Writes scan_folds.png: folded patches as three
+/// methods draw them, with wrong pixels marked.
+/// Errors:  here and in the functions below, l3d_error(failure) that names the file.
 void write_scan_line_table(const std::string& folder, l3d_size size);
 
-/// Writes the steps and times of paths of cells, along rays and along curves: cells.csv.
+/// Writes cells.csv: the steps and times of paths through cells, along rays and along curves.
 void write_cell_table(const std::string& folder, l3d_size size, bool quick);
 
-/// Writes a picture of a jet of polygons in a cloud of cells, smoke.png, and its cost, smoke.csv.
+/// Writes smoke.png, a picture of a jet plane of polygons in a cloud of cells, and smoke.csv, the
+/// picture's cost.
 void write_smoke(const std::string& folder, bool quick);
 
-/// Compares micropolygons diced in each frame with kept ones, over three flights: kept.csv.
+/// Writes kept.csv: over three flights, compares micropolygons that are diced in each frame with
+/// micropolygons that are kept.
 void write_kept_table(const std::string& folder, l3d_size size, bool quick);
 
 #endif

@@ -5,7 +5,8 @@
 
 #include <string>
 
-/// Measures random cubics, and writes curves.csv, limits.csv and steps.csv into a folder.
+/// Measures forward differences of random cubics (curve_measure.h), and writes curves.csv,
+/// limits.csv and steps.csv into a folder.
 /// Errors: l3d_error(failure) that names the file.
 void write_curve_tables(const std::string& folder, bool quick);
 

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <vector>
 
-/// The settings that are measured in each view of a model.
+/// A model, with the settings that are measured in each of its views.
 struct planned_model {
     report_model model;
     std::vector<measured_setting> settings;
@@ -18,14 +18,14 @@ struct planned_model {
 };
 
 struct plan_scope {
-    bool quick = false;      ///< small: one view of two models
-    bool has_mesa = false;   ///< there is a software GL
-    bool has_folds = false;  ///< folded patches, for scan line methods
-    bool has_scenes = false; ///< the same hills in 4 to 4096 patches, too
+    bool quick = false;      ///< whether the plan is small: one view of two models
+    bool has_mesa = false;   ///< whether a software OpenGL is there
+    bool has_folds = false;  ///< whether folded patches are measured, for scan line methods
+    bool has_scenes = false; ///< whether hills of 4 to 4096 patches are measured, too
 };
 
-/// Plans measurements of each model by all methods and arithmetics. Meshes of millions of quads are
-/// left out.
+/// Plans measurements of each model by all methods and arithmetics. Settings that would make meshes
+/// of millions of quads are left out.
 std::vector<planned_model> report_plan(std::vector<report_model> models, const plan_scope& scope);
 
 #endif

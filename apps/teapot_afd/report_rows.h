@@ -9,32 +9,32 @@
 #include <string>
 #include <vector>
 
-/// Writes a whole text file. Errors: l3d_error(failure) that names the file.
+/// Writes a text as a whole file. Errors: l3d_error(failure) that names the file.
 void write_text(const std::string& file, const std::string& text);
 
-/// The key of a row: the model, the view, the method and its setting.
+/// The key of a row of the report: the model, the view, and the setting's series and label.
 struct row_name {
     std::string model, view, series, label;
 
     std::string text() const { return model + ',' + view + ',' + series + ',' + label; }
 };
 
-/// The rows measured so far, in a file of the report's folder. Each row is written at once, so that
-/// a stopped report goes on where it was.
+/// The rows that a report has measured so far, kept in a file of the report's folder. Each row is
+/// written at once, so that a report that was stopped need not measure it again.
 ///
 /// Errors: l3d_error(failure) that names the file.
 class row_store {
 public:
-    /// The `key` names the machine, the build and the picture's size. Rows of a report with another
-    /// key are dropped.
+    /// Reads the rows in the folder. `key` names the machine, the build and the picture's size.
+    /// Rows that were measured with another key are dropped.
     row_store(const std::string& folder, const std::string& key);
 
     bool has(const row_name& name) const { return lines_.contains(name.text()); }
     std::size_t count() const { return lines_.size(); }
     void add(const frame_result& row);
 
-    /// Writes the rows of these names as frames.csv, and removes the file of rows so far.
-    /// Expects: all of them measured.
+    /// Writes the rows with these names as frames.csv, and removes the file of the rows so far.
+    /// Expects: all these rows are measured.
     void finish(const std::vector<row_name>& names) const;
 
 private:

@@ -17,7 +17,7 @@ template <class Field> std::string table_text(const Field& field) {
         return field;
 }
 
-/// Joins fields with commas, and ends the line.
+/// A line of a table in a .csv file: the fields with commas between them, and the line's end.
 template <class... Fields> std::string table_row(const Fields&... fields) {
     std::string line;
     ((line += (line.empty() ? "" : ",") + table_text(fields)), ...);

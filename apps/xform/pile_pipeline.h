@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// Piles up things in the picture: seven in each 60th of a second, and one where the user drags. A
-/// subclass draws each of them.
+/// A lesson in which things of random colours pile up in the picture: seven in each 60th of a
+/// second, and one where the user drags. A subclass draws each thing.
 class pile_pipeline : public l3d_lesson {
 public:
     pile_pipeline(l3d_canvas canvas, std::uint64_t seed)
@@ -23,7 +23,7 @@ private:
     /// Draws a thing at a random place.
     virtual void draw_one(l3d_rasterizer_2d& rasterizer, l3d_random& random,
                           std::uint32_t color) = 0;
-    /// Draws a thing around a place. Units: pixels.
+    /// Draws a thing whose middle is at (x, y). Units: pixels.
     virtual void draw_at(l3d_rasterizer_2d& rasterizer, int x, int y, std::uint32_t color) = 0;
 
     void advance(double seconds) final {
@@ -57,7 +57,7 @@ private:
     std::uint64_t seed_;
     l3d_random random_;
     l3d_ticker ticker_;
-    int rounds_ = 0; ///< rounds that are due, but not yet drawn
+    int rounds_ = 0; ///< rounds of seven things that are due, but not drawn yet
     std::vector<std::pair<int, int>> dragged_;
 };
 

@@ -9,7 +9,8 @@
 
 namespace {
 
-/// Patches as a model or as a scene, or polygons.
+/// Loads a model file as l3d_load_any_model does. `Patches` is l3d_patch_model or l3d_patch_scene,
+/// for files of patches alone.
 template <class Patches>
 std::variant<Patches, l3d_polygon_model> load(const std::string& file,
                                               std::vector<std::string>* notes) {

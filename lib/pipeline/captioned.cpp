@@ -11,7 +11,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// A hint covers at most 1 / largest_share of the picture: a larger one would hide the subject.
+/// A hint covers at most 1 / largest_share of the picture, since a larger hint would hide the
+/// program's subject.
 constexpr int largest_share = 5, largest_share_of_lesson = 4;
 
 } // namespace
@@ -39,8 +40,8 @@ void captioned::key_event(int key) {
     follow();
 }
 
-/// Hides the hint on a press: a person who presses a button looks at the picture, not at words upon
-/// it.
+/// Hides the hint when a button is pressed: then the user looks at the picture, not at words on
+/// top.
 void captioned::pointer_event(const l3d_event& event) {
     if (event.type == l3d_event_type::button_press && hint_is_shown()) {
         hint_seconds_ = 0;
@@ -100,7 +101,7 @@ bool captioned::skip_event() {
     return shown_.skip_event();
 }
 
-/// Puts back the pixels that panels cover.
+/// Restores the pixels that panels cover.
 void captioned::uncover() {
     const l3d_pixels pixels = screen_.pixels();
     for (int y = covered_.top; y < covered_.bottom; ++y) {
@@ -111,7 +112,7 @@ void captioned::uncover() {
     covered_ = {};
 }
 
-/// Draws the panels that are to be seen, and keeps the picture below.
+/// Draws the panels that are to be seen, and keeps the pixels below them for uncover().
 void captioned::cover() {
     texts_.clear();
     l3d_panel message;
@@ -145,7 +146,8 @@ void captioned::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_
     texts_.push_back(box);
 }
 
-/// Draws the first hint that leaves most of the picture free. Returns whether there is one.
+/// Draws the first of hints() that leaves most of the picture free. Returns whether there is such a
+/// hint.
 bool captioned::draws_a_hint(l3d_rasterizer_2d& rasterizer) {
     const int share = caption_.teaches.empty() ? largest_share : largest_share_of_lesson;
     for (const l3d_panel& hint : hints()) {
@@ -172,7 +174,7 @@ std::vector<l3d_panel> captioned::help_pages() const {
     return all.pages(screen_.pixels().size(), caption_.help.substr(0, 1), style());
 }
 
-/// The hints to choose from: the longest first, the key alone last.
+/// The hints to choose from: from the longest one down to the key for help alone.
 std::vector<l3d_panel> captioned::hints() const {
     constexpr std::size_t most_keys = 4; // as many as users remember
     l3d_panel what, taught;

@@ -17,14 +17,14 @@
 
 namespace l3d_detail {
 
-/// Draws a program's caption on the finished pictures of a pipeline, and hands every call on to it.
-/// Before the pipeline draws again, the covered pixels are put back, since some programs add to the
-/// last picture.
+/// Draws a program's caption on the finished pictures of a pipeline, and hands every call on to
+/// that pipeline. Before the pipeline draws again, the pixels that the caption covered are
+/// restored, since some programs draw on top of the last picture.
 ///
-/// For some seconds after the start, a panel tells the subject, the lesson, and some keys. If it
-/// would hide much of the picture, it tells less: at least the key that lists all keys, or nothing.
-/// The help keys show all keys, page after page, and then hide them. Another panel shows the
-/// pipeline's message.
+/// For some seconds after the start, a panel tells the subject, the lesson, and some keys. If that
+/// panel would hide much of the picture, it gets shorter: down to the key that lists all keys, or
+/// nothing. The help keys show all keys, page after page, and then hide the help. Another panel
+/// shows the pipeline's message.
 ///
 /// Lives: borrows pipeline and screen.
 class captioned final : public l3d_pipeline {
@@ -67,12 +67,12 @@ private:
     l3d_screen& screen_;
     l3d_caption caption_;
     l3d_font font_;
-    double hint_seconds_;       ///< seconds for which the first panel stays
-    std::size_t help_page_ = 0; ///< the page of help shown, from 1; 0 for none
-    bool is_old_ = false;       ///< the drawn panel is not the wanted one
+    double hint_seconds_;       ///< seconds for which the panel of the start still stays
+    std::size_t help_page_ = 0; ///< number of the page of help that is shown, from 1; 0 if none is
+    bool is_old_ = false;       ///< the panels in the picture are out of date
     std::vector<std::uint32_t> picture_;
     l3d_pixel_box covered_, changed_;
-    std::vector<l3d_pixel_box> texts_; ///< the places of the drawn panels
+    std::vector<l3d_pixel_box> texts_; ///< the boxes of the panels in the picture
 };
 
 } // namespace l3d_detail

@@ -10,7 +10,8 @@
 
 namespace l3d_detail {
 
-/// Whether all pixels of a picture show its background. Cost: linear in pixels.
+/// Whether all pixels of a picture show the background, so that a viewer can say why nothing is
+/// seen. Cost: linear in pixels.
 inline bool is_empty(const l3d_pixels& picture, const l3d_background& background) {
     for (int y = 0; y < picture.height; ++y)
         if (std::ranges::any_of(picture.row(y), [word = background.word(y, picture.height)](

@@ -32,14 +32,14 @@ std::array<l3d_detail::left_out, 7> reasons_of(const l3d_dice_counts& dice) {
     }};
 }
 
-/// A number, or null if it is infinite, since JSON has no infinity. Null means that no bound can be
-/// given.
+/// A bound as JSON: its number, or null if the bound is infinite, since JSON has no infinity. Null
+/// means that there is no bound.
 l3d_detail::json number_or_null(double value) {
     return std::isfinite(value) ? l3d_detail::json(value) : l3d_detail::json(nullptr);
 }
 
-/// The patches over the tolerance, and the worst of them, which is told by two indices: in its
-/// model, and its instance's in the scene.
+/// The number of patches over the tolerance, and the worst such patch: its index in its model, and
+/// its instance's index in the scene.
 l3d_detail::json over_tolerance_of(const l3d_dice_counts& dice) {
     l3d_detail::json result{{"patches", dice.coarse}, {"for_budget", dice.unfinished}};
     if (dice.coarse > 0)
@@ -95,7 +95,7 @@ std::string l3d_frame_report::json() const {
     return line.dump();
 }
 
-/// Makes lines about patches that were drawn, but of which some work could be left out.
+/// Makes lines of text about patches that were drawn although a part of their work was left out.
 std::string l3d_frame_report::left_out_in_part() const {
     std::string text;
     if (dice.back_blocks > 0)

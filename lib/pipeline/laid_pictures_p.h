@@ -14,11 +14,13 @@
 
 namespace l3d_detail {
 
-/// Collects the pictures on a frame's patches, for the rasterizer to paint. Each quad gets a name:
-/// a number in place of its material's.
+/// Collects the pictures that lie on a frame's patches, for the rasterizer to paint. Each quad
+/// under a picture gets a name: a number that replaces its material's, and by which the rasterizer
+/// finds the picture.
 class laid_pictures {
 public:
-    /// Starts a frame. Returns the paints for its shading; null if no picture lies on the scene.
+    /// Starts a frame. Names begin at `materials`, the number of the scene's materials. Returns the
+    /// paints for the frame's shading; null if no picture lies on the scene.
     const l3d_face_paints* begin(const l3d_patch_scene& scene, l3d_texture_filter filter,
                                  std::size_t materials) {
         parts_.clear();
@@ -27,7 +29,7 @@ public:
         return scene.has_pictures() ? &paints_ : nullptr;
     }
 
-    /// Names the polygons of the dicer's last batch, if pictures lie on them.
+    /// Names the polygons of `batch`, the dicer's last batch, if pictures lie on them.
     /// Expects: begin returned paints.
     template <class T>
     void add(const l3d_patch_scene& scene, std::span<const l3d_placed_patch> batch,

@@ -7,7 +7,8 @@
 
 namespace {
 
-/// A ground that is darker than that of viewers, since the book's colours are made for black.
+/// The ground of lessons: darker than the ground of viewers, since the book's colours are made for
+/// a black one.
 constexpr l3d_background dark{0x000b0f15, 0x00283241};
 
 } // namespace
@@ -70,7 +71,7 @@ std::string l3d_lesson::message() const {
     return stopped_ ? "stopped; space goes on" : "";
 }
 
-/// Covers the picture by a rectangle with two colours, which every kind of output can draw.
+/// Draws the ground as a rectangle with two colours, which every kind of output can draw.
 void l3d_lesson::clear(l3d_rasterizer_2d& rasterizer) {
     if (ground_ == l3d_background())
         return rasterizer.clear_buffer();

@@ -12,15 +12,15 @@
 #include <string>
 #include <vector>
 
-/// Rows for a program's caption: the keys of every lesson, and dragging with the mouse. `dragging`
-/// describes the effect of that.
+/// Rows for a program's caption: the keys of every lesson, and a row for dragging with the mouse.
+/// `dragging` describes the effect of a drag.
 L3D_PUBLIC std::vector<l3d_caption_row> l3d_lesson_keys(const std::string& dragging);
 
 /// A pipeline of a world in which time passes: the common part of the book's lessons. The user can
-/// stop time, start again, and take hold of the world with the mouse.
+/// stop time, start the lesson again, and drag the world with the mouse.
 ///
 /// Pictures have a dark ground, or a black one if the canvas is classic. A subclass draws on top of
-/// the last picture, or clears it first.
+/// the last picture, or calls clear() first.
 /// Lives: owns screen and rasterizer.
 class L3D_PUBLIC l3d_lesson : public l3d_pipeline_2d {
 public:
@@ -37,12 +37,14 @@ public:
     std::string message() const override;
 
 protected:
-    /// Whether pictures are those of the book: hard edges, letters of dots, a black ground.
+    /// Whether pictures look like those of the book: hard edges, letters of dots, a black ground.
     bool is_classic() const { return is_classic_; }
 
-    /// The background where nothing is drawn: dark, or black if pictures are classic.
+    /// The background where nothing is drawn: that of set_ground, or at first a dark one, black if
+    /// pictures are classic.
     const l3d_background& ground() const { return ground_; }
-    /// Changes the ground from the next picture on.
+    /// Changes the ground that clear() draws from now on. The last picture keeps its ground until
+    /// clear() is called.
     void set_ground(const l3d_background& ground) { ground_ = ground; }
     /// Covers the whole picture with the ground.
     void clear(l3d_rasterizer_2d& rasterizer);
@@ -53,18 +55,19 @@ protected:
     bool is_stopped() const { return stopped_; }
 
 private:
-    /// Draws the next picture on top of the last one. The first one after a start and after a
-    /// resize lies on the ground.
+    /// Draws the next picture on top of the last one. The first picture after a start, the key r or
+    /// a resize lies on the bare ground.
     virtual void draw_lesson(l3d_rasterizer_2d& rasterizer) = 0;
-    /// Lets time pass. Units: seconds.
+    /// Lets time pass in the lesson's world. Called once per frame, unless the lesson is stopped.
+    /// Units: seconds.
     virtual void advance(double seconds) = 0;
-    /// Puts the lesson back to how it began.
+    /// Puts the lesson's world back to its beginning. Called at the key r.
     virtual void restart() = 0;
-    /// Called when the pointer moves with its first button held. It is also called with a motion of
-    /// 0 when that button is pressed. The pointer is at (x, y) and has moved by (right, down).
+    /// Called when the pointer moves with the first mouse button held, and with a motion of 0 when
+    /// that button is pressed. The pointer is at (x, y) and has moved by (right, down).
     /// Units: pixels.
     virtual void drag(int x, int y, int right, int down);
-    /// Called when the wheel turns, by `notches` away from the user.
+    /// Called when the mouse wheel turns. `notches` are positive if it turns away from the user.
     virtual void roll(int notches);
 
     l3d_lesson(bool is_classic, l3d_canvas&& canvas);
@@ -74,7 +77,7 @@ private:
     bool is_classic_;
     l3d_background ground_;
     bool stopped_ = false;
-    bool is_stale_ = true; ///< the picture may differ from the drawn one
+    bool is_stale_ = true; ///< the next picture may differ from the last one
     bool is_bare_ = true;  ///< there is no last picture to draw on
     bool is_held_ = false; ///< the first button is held
     int x_ = 0, y_ = 0;    ///< the pointer's last place

@@ -14,11 +14,12 @@
 
 #include <memory>
 
-/// Draws surfaces by adaptive forward differencing: culls patches, dices them within the tolerance,
-/// and fills them, batch after batch, the nearest first.
+/// Draws surfaces by adaptive forward differencing: culls patches, dices the others into quads
+/// within the tolerance, and fills the quads. It works batch after batch, from the nearest patches
+/// to the farthest.
 ///
 /// Lives: borrows the workers.
-/// Cost:  no allocation once the largest frame has been seen, if nobody asks for outlines.
+/// Cost:  once the largest frame has been drawn, frames without outlines allocate nothing.
 template <class T> class l3d_method_afd final : public l3d_surface_method {
 public:
     l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d_workers& workers);
@@ -47,15 +48,16 @@ private:
 
     l3d_workers& workers_;
     std::unique_ptr<l3d_surface_rasterizer> surface_;
-    /// Draws inspecting shades, if `surface_` cannot.
+    /// The rasterizer for inspecting shades, if `surface_` cannot draw them.
     std::unique_ptr<l3d_surface_rasterizer> inspector_;
-    l3d_surface_rasterizer* used_; ///< the rasterizer of the last frame
+    l3d_surface_rasterizer* used_; ///< the rasterizer that drew the last frame
     l3d_inspected_scene inspected_;
     l3d_detail::laid_pictures pictures_;
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     l3d_dice_counts counts_;
-    std::unique_ptr<l3d_frame_outlines> outlines_; ///< the last frame's, if it asked for them
+    /// Outlines of the last frame, if it asked for them.
+    std::unique_ptr<l3d_frame_outlines> outlines_;
 };
 
 #endif

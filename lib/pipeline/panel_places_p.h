@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// The style of a screen's panels: letters that suit its picture, and an opaque ground if it is
-/// slow.
+/// The style of a screen's panels: letters of a size that suits its picture, and an opaque ground
+/// if the screen is slow.
 inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) {
     l3d_panel_style style;
     style.font = font;
@@ -23,22 +23,24 @@ inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) 
     return style;
 }
 
-/// Finds places for panels in the part of a picture that is still free. It keeps the largest free
-/// rectangles, which overlap.
+/// Finds places for panels, so that none covers another. It keeps a list of the largest rectangles
+/// of the picture that are still free; these may overlap.
 ///
-/// A panel goes into a rectangle that holds it without further wrapping. Among several, it takes
-/// the one in which it comes nearest to its corner of the picture, first in x, then in y. If there
-/// is none, the panel is wrapped to fit the largest rectangle that has room for it. Otherwise it
-/// gets smaller letters in the largest rectangle.
+/// A panel goes into a free rectangle that holds it without further wrapping. If several do, it
+/// takes the one in which it stands nearest to its corner of the picture, first in x, then in y. If
+/// none does, the panel's lines are wrapped to fit the largest rectangle in which all text has
+/// room. If no rectangle has room for all text, the panel gets smaller letters in the largest one.
 class panel_places {
 public:
     panel_places(const l3d_pixel_box& picture, const l3d_panel_style& style)
         : style_(style), picture_(picture), free_{picture_} {}
 
-    /// Keeps a place for a panel. Returns whether there is one for letters of the style's size.
+    /// Keeps a place for a panel without drawing the panel. Returns whether the panel has room with
+    /// letters of the style's size.
     bool take(const l3d_panel& panel, l3d_corner corner);
 
-    /// Draws a panel in its place, if there is any, and keeps the place. Returns the covered box.
+    /// Draws a panel in the place that is found for it, and keeps the place. Returns the box that
+    /// the panel covers, empty if there is no place.
     l3d_pixel_box draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner);
 
 private:
@@ -47,7 +49,7 @@ private:
 
     l3d_panel_style style_;
     l3d_pixel_box picture_;
-    std::vector<l3d_pixel_box> free_; ///< none lies in another
+    std::vector<l3d_pixel_box> free_; ///< the largest free rectangles; none lies inside another
 };
 
 } // namespace l3d_detail

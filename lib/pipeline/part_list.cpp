@@ -14,11 +14,12 @@ namespace {
 
 using l3d_detail::printable;
 
-/// Colours that differ in hue and in lightness, so that they are told apart beside each other.
+/// Colours for parts. They differ in hue and in lightness, so that users can tell parts side by
+/// side apart.
 constexpr std::array<l3d_color, 8> palette{0x00e69f00, 0x0056b4e9, 0x00009e73, 0x00f0e442,
                                            0x000072b2, 0x00d55e00, 0x00cc79a7, 0x00999999};
 
-/// A name cut to a width: its first letters, followed by three dots.
+/// A name, cut if it is wider than `width`: its first letters, followed by three dots.
 std::string shortened(const std::string& name, int width, const l3d_panel_style& style) {
     const std::string whole = printable(name);
     if (style.font.width(whole, style.size) <= width)
@@ -62,7 +63,7 @@ void l3d_part_list::set_names(std::span<const std::string> names) {
 }
 
 /// Makes the lines of the tree. A group holds parts that follow each other and whose names begin
-/// with its path.
+/// with the group's path.
 void l3d_part_list::make_lines() {
     tree_.clear();
     line_of_.clear();
@@ -122,7 +123,8 @@ void l3d_part_list::choose(const std::string& name) {
     follows_chosen_ = true;
 }
 
-/// Makes sure that a part is chosen. Returns false if there is none.
+/// Makes sure that a part is chosen, and keeps the state for undo(). Returns false if there are no
+/// parts.
 bool l3d_part_list::choose_any() {
     if (!chosen_ && !parts_.empty())
         choose_next();
@@ -177,13 +179,14 @@ l3d_pixel_box l3d_part_list::box(l3d_size picture, const l3d_panel_style& style)
     return {0, 0, std::min(std::max(picture.width / 3, least), picture.width / 2), picture.height};
 }
 
-/// The number of lines with room below the title.
+/// The number of lines that have room below the title.
 std::size_t l3d_part_list::lines() const {
     const int room = box_.bottom - box_.top - 2 * padding_ - line_;
     return static_cast<std::size_t>(std::max(room / line_, 0));
 }
 
-/// Scrolls until the chosen part has a line.
+/// Scrolls until the chosen part's line is in the picture, if the part was chosen since the last
+/// picture.
 void l3d_part_list::reveal_chosen() {
     const std::size_t count = std::max<std::size_t>(lines(), 1);
     if (follows_chosen_ && chosen_) {
@@ -240,7 +243,7 @@ void l3d_part_list::draw(l3d_rasterizer_2d& rasterizer, l3d_size picture,
     }
 }
 
-/// The line at this row of the picture; null if there is none.
+/// The line of the list at row y of the picture; null if there is none.
 const l3d_part_list::line* l3d_part_list::line_at(int y) const {
     const int below = y - box_.top - padding_ - line_;
     if (below < 0)
@@ -251,7 +254,8 @@ const l3d_part_list::line* l3d_part_list::line_at(int y) const {
     return &tree_[first_ + row];
 }
 
-/// Does to all parts of a group what a click does to a part.
+/// Hides, shows, colours or isolates all parts of a group, as a click on the group's line asks.
+/// Returns the text that tells the user the change.
 std::string l3d_part_list::of_group(const line& of, const l3d_event& event, bool on_square) {
     const bool colors = event.button == 3, isolates = event.button == 1 && event.clicks == 2;
     const std::string count = l3d_detail::counted(of.end - of.first, "parts");

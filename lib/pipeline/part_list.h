@@ -16,57 +16,65 @@
 #include <string>
 #include <vector>
 
-/// A part of a model, with the user's choices for it.
+/// A part of a model, with the user's choices for the part.
 struct L3D_PUBLIC l3d_listed_part {
-    std::string name;                 ///< as the model calls it
-    bool is_hidden = false;           ///< whether it is not to be drawn
-    std::optional<l3d_color> color{}; ///< its colour, if it is not the model's own
+    std::string name;                 ///< the part's name in the model
+    bool is_hidden = false;           ///< whether the part is not to be drawn
+    std::optional<l3d_color> color{}; ///< the part's colour; none stands for the model's own
 
     friend bool operator==(const l3d_listed_part&, const l3d_listed_part&) = default;
 };
 
 /// Lists a model's parts at the left of the picture, so that the user can choose, hide and colour
-/// them. It knows no model: its owner shows each part as the list says. Each change returns a line
-/// for people, such as "lid is hidden".
+/// them. The list knows no model: its owner draws each part as the list says. Functions that return
+/// text tell the change to the user, such as "lid is hidden".
 ///
 /// A line of the list has a square and the part's name. The square is filled with the part's
-/// colour, or empty if the part is hidden. A name without room ends in three dots. A click on a
-/// name chooses the part, and a double click shows it alone. A click on its square hides or shows
-/// it, and one with the right button gives it the next colour. The wheel scrolls.
+/// colour, or empty if the part is hidden. A name that is too long ends in three dots. A click on a
+/// name chooses the part, and a double click shows this part alone. A click on a part's square
+/// hides or shows the part. A click with the right button on the line gives the part the next
+/// colour. The wheel scrolls.
 ///
 /// Slashes in names make a tree. "arm/bolt" stands, moved to the right, below a line "arm" for all
-/// parts of the arm. Clicks on that line do to all these parts what they would do to one.
+/// parts of the arm. Clicks on the line "arm" hide, show or colour all these parts; a single click
+/// on its name tells their number.
 ///
 /// Lives: a value.
-/// Cost:  a picture draws only the lines that have room. Finding a part by its name looks at all.
+/// Cost:  a picture draws only the lines that have room. Finding a part by its name looks at all
+///        parts.
 class L3D_PUBLIC l3d_part_list {
 public:
-    /// Takes the names of a model's parts. Parts that the list had before stay as they are.
+    /// Takes the names of a model's parts. Parts that the list had before keep their states and
+    /// colours.
     void set_names(std::span<const std::string> names);
 
     /// All parts in the model's order.
     std::span<const l3d_listed_part> parts() const { return parts_; }
-    /// The part of this name; null if there is none.
+    /// The first part of this name; null if no part has it.
     const l3d_listed_part* find(const std::string& name) const;
-    /// The chosen part; null if none is.
+    /// The chosen part; null if none is chosen.
     const l3d_listed_part* chosen() const { return chosen_ ? &parts_[*chosen_] : nullptr; }
 
-    /// Chooses the part that is `step` lines further down; the first follows the last. Without a
-    /// chosen part, the first or the last one is chosen.
+    /// Chooses the part that is `step` parts after the chosen one; the first follows the last. If
+    /// no part is chosen yet, a step of 1 chooses the first part, and a step of -1 the last.
     std::string choose_next(int step = 1);
     /// Chooses the part of this name, such as one that was picked; "" chooses none.
     void choose(const std::string& name);
-    /// Hides the chosen part, or shows it again. If none is chosen, it chooses the first.
+    /// Hides the chosen part, or shows it again. If no part is chosen, it chooses the first one
+    /// before.
     std::string switch_chosen();
-    /// Hides all other parts; a second call shows all. If none is chosen, it chooses the first.
+    /// Hides all parts but the chosen one. If that part is already the only one shown, it shows
+    /// all. If no part is chosen, it chooses the first one before.
     std::string isolate_chosen();
-    /// Gives the chosen part the next colour of a palette, and after its last one the model's own.
+    /// Gives the chosen part the next colour of a palette; after the palette's last colour comes
+    /// the model's own. If no part is chosen, it chooses the first one before.
     std::string color_chosen();
     /// Shows all parts.
     void show_all();
-    /// Hides or shows a part, or gives it a colour. Expects: a name of parts().
+    /// Replaces the state and colour of the part with this name. Expects: a name of parts().
     void set(const l3d_listed_part& part);
-    /// Takes the last change back, as the owner does if nothing would be left.
+    /// Takes back the last change by the user, to the state before it. The owner calls this if no
+    /// part would be left to see.
     void undo() { parts_ = before_; }
 
     /// Whether the list is in the picture.
@@ -74,15 +82,16 @@ public:
     /// Shows the list in the picture, or takes it away.
     void show(bool is_shown) { is_shown_ = is_shown; }
 
-    /// The box that the list takes in a picture: at most a third of its width, and half of it if
-    /// that is narrow. It is empty if the list is not shown.
+    /// The box that the list takes in a picture: a third of the picture's width, or more if sixteen
+    /// letters need it, but at most half. It is empty if the list is not shown.
     l3d_pixel_box box(l3d_size picture, const l3d_panel_style& style) const;
 
     /// Draws the list into its box.
     void draw(l3d_rasterizer_2d& rasterizer, l3d_size picture, const l3d_panel_style& style);
 
-    /// Answers a button or the wheel over the list. Returns false, with nothing done, if the event
-    /// is elsewhere. `said` gets the line of a change.
+    /// Answers a press of a button or a turn of the wheel over the list. Returns false, with
+    /// nothing done, for an event elsewhere, or a motion or release. `said` gets the text that
+    /// tells the change to the user.
     /// Expects: draw() has drawn the present picture.
     bool pointer(const l3d_event& event, std::string& said);
 
@@ -90,7 +99,7 @@ private:
     /// A line of the list: a part, or the common beginning of the names of parts below it.
     struct line {
         std::string text;
-        std::size_t first, end; ///< the range of its parts
+        std::size_t first, end; ///< the line's parts: from first to before end
         int depth = 0;
         bool is_group = false;
     };
@@ -105,14 +114,14 @@ private:
     const line* line_at(int y) const;
 
     std::vector<l3d_listed_part> parts_, before_;
-    std::vector<line> tree_;           ///< all lines, those of parts in the parts' order
+    std::vector<line> tree_; ///< all lines of the list; parts stand in the order of parts_
     std::vector<std::size_t> line_of_; ///< the line of each part, in tree_
     std::optional<std::size_t> chosen_;
     bool is_shown_ = false, follows_chosen_ = false;
-    std::size_t first_ = 0; ///< the uppermost line
+    std::size_t first_ = 0; ///< the uppermost line in the picture, as an index in tree_
     // The box, the line's height and the padding are those of the last picture.
     l3d_pixel_box box_;
-    int line_ = 1, padding_ = 0; ///< height of a line; distance from the box to its text
+    int line_ = 1, padding_ = 0; ///< height of a line; distance from the box's edge to its text
 };
 
 #endif

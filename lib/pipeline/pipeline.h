@@ -17,9 +17,9 @@
 #include <string>
 #include <vector>
 
-/// Times of a frame after it was drawn. Units: seconds.
+/// The times that a frame takes after it was drawn. Units: seconds.
 struct L3D_PUBLIC l3d_frame_times {
-    double show = 0;  ///< bringing the pixels to the screen
+    double show = 0;  ///< bringing the picture to the screen
     double write = 0; ///< writing picture files
 };
 
@@ -38,35 +38,38 @@ public:
     /// Set to true to ask the dispatcher to finish after the current frame.
     bool done = false;
 
-    /// Called for any event, before the more special call below if there is one for it.
+    /// Called for any event, before key_event, pointer_event or resize_event if the event has such
+    /// a call.
     virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
 
-    /// A key was pressed, given as an ASCII code or l3d_key. Some keys reach only any_event: keys
-    /// with Alt or Super held, characters with Ctrl, Shift, Ctrl and Alt by themselves, and keys
-    /// that only type.
+    /// Called when a key was pressed; `key` is an ASCII code or an l3d_key. Some keys reach only
+    /// any_event: keys with Alt or Super held, characters with Ctrl, Shift, Ctrl and Alt by
+    /// themselves, and keys that only type.
     virtual void key_event(int key) { static_cast<void>(key); }
 
-    /// A button, the pointer or the wheel moved.
+    /// Called when a mouse button was pressed or released, or the pointer or the wheel moved.
     virtual void pointer_event(const l3d_event& event) { static_cast<void>(event); }
 
-    /// The screen has a new size; earlier l3d_pixels views are invalid.
+    /// Called when the screen has got a new size. Earlier l3d_pixels of the screen are invalid
+    /// then.
     virtual void resize_event(l3d_size size) { static_cast<void>(size); }
 
-    /// Advances the world. Units: seconds since the last call; a fixed step without a display.
+    /// Lets time pass in the program's world.
+    /// Units: seconds since the last call; without a display, a fixed step.
     virtual void update_event(double seconds) { static_cast<void>(seconds); }
 
     /// Draws into the screen's pixels. The dispatcher shows and stores them afterwards.
-    /// Errors: throws l3d_interrupted if the function of interrupt_when asks for it; the pixels are
-    ///         no picture then.
+    /// Errors: throws l3d_interrupted if the function of interrupt_when returns true. The pixels
+    ///         are no complete picture then.
     virtual void draw_event() {}
 
-    /// Sets a function that a long draw_event calls now and then. If it returns true, draw_event
-    /// throws l3d_interrupted, and the next draw_event draws a whole picture again. Fast pipelines
-    /// may ignore the function.
+    /// Sets the function that a long draw_event calls now and then, to learn whether to stop. If
+    /// `wanted` returns true, draw_event throws l3d_interrupted, and the next draw_event draws a
+    /// whole picture again. Fast pipelines may ignore the function.
     virtual void interrupt_when(std::function<bool()> wanted) { static_cast<void>(wanted); }
 
-    /// The box of the pixels that the last draw_event may have changed; the dispatcher shows no
-    /// others. May reach beyond the picture.
+    /// The box of the pixels that the last draw_event may have changed. The dispatcher brings only
+    /// these to the screen. The box may reach beyond the picture.
     virtual l3d_pixel_box changed() const {
         constexpr auto most = std::numeric_limits<std::int32_t>::max();
         return {0, 0, most, most};
@@ -81,20 +84,22 @@ public:
     virtual bool skip_event() { return false; }
 
     /// Whether nothing changes until the next event, however much time goes by. In a window the
-    /// dispatcher then sleeps. No update_event comes, and the time of the sleep does not count.
+    /// dispatcher then sleeps, without calls of update_event. The next update_event does not count
+    /// the time of the sleep.
     virtual bool is_at_rest() const { return false; }
 
-    /// The text of the window's caption, shown until it changes; \n divides its lines. It is "" for
-    /// none.
+    /// A text that a panel in the window shows until the text changes; \n divides its lines. ""
+    /// shows no panel.
     virtual std::string message() const { return {}; }
 
-    /// The longest time that the program stays at rest without an event. After that time, or at the
-    /// next event, rest_event is called.
+    /// The longest time that the program stays at rest without an event. rest_event is called after
+    /// this time, or at the next event if that comes first.
     /// Units:   seconds, more than 0.
     /// Expects: is_at_rest().
     virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
 
-    /// Lets the time of a rest pass, at its end and in place of update_event. Units: seconds.
+    /// Called at the end of a rest, in place of update_event, with the time that the rest took.
+    /// Units: seconds.
     virtual void rest_event(double seconds) { static_cast<void>(seconds); }
 
     /// Whether draw_event would now draw another picture than the last one. While this is false and
@@ -106,36 +111,36 @@ public:
     virtual std::string take_remark() { return {}; }
 };
 
-/// Keys, as the help calls them, and their effect.
+/// A row of the help: keys and their effect.
 struct L3D_PUBLIC l3d_caption_row {
     std::string keys; ///< such as "h j k l"
     std::string text; ///< such as "left, down, up, right"
 };
 
-/// Text on a program and its keys. The program's --help shows it, and so does a panel in its
-/// window, for some seconds and whenever the user asks for help.
+/// Text on a program and its keys. The program's --help shows this text. A panel in the window
+/// shows it, too: for some seconds after the start, and whenever the user asks for help.
 ///
 ///     l3d_program program("dot", l3d_caption{.what = "A dot moves.", .keys = {{"p", "rest"}}},
 ///                         {320, 200});
 ///
 /// Lives: a value.
 struct L3D_PUBLIC l3d_caption {
-    /// A sentence or two.
+    /// One or two sentences on what the program shows.
     std::string what;
 
-    /// The lesson that the program teaches, in a sentence or two; makes the program a lesson of the
-    /// book.
+    /// The lesson that the program teaches, in one or two sentences. If it is not empty, the
+    /// program is a lesson of the book.
     std::string teaches{};
 
     /// The program's own keys. The keys of every program are added automatically.
     std::vector<l3d_caption_row> keys{};
 
-    /// The keys that show and hide the help. A program that needs one of them for itself leaves it
-    /// out here.
+    /// The keys that show and hide the help, each a character. A program that uses h or ? for
+    /// itself leaves that key out here.
     std::string help = "h?";
 
     /// The corner in which the window shows its caption for some seconds, or until a button is
-    /// pressed. Choose one where the program has nothing to see.
+    /// pressed. Choose a corner where the program draws nothing.
     l3d_corner corner = l3d_corner::bottom_left;
 
     /// All keys: the program's own keys, F11, the help keys, and the keys that end the program.
@@ -146,18 +151,18 @@ struct L3D_PUBLIC l3d_caption {
 };
 
 /// Turns seconds into whole steps, so that a world that moves step by step is equally fast at any
-/// frame rate. With 60 steps a second, it makes two per frame at 30 frames a second, and one in
-/// every fifth frame at 300.
+/// frame rate. For example, with 60 steps a second and 30 frames a second, two steps are due per
+/// frame. With 300 frames a second, one step is due in every fifth frame.
 class L3D_PUBLIC l3d_ticker {
 public:
-    /// A ticker for so many steps a second. Expects: per_second > 0.
+    /// Makes a ticker of `per_second` steps a second. Expects: per_second > 0.
     explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}
 
-    /// The number of steps that are due `seconds` after the last call. A part of a step is kept for
-    /// the next call.
+    /// The number of whole steps that are due `seconds` after the last call. A rest of less than a
+    /// step is kept for the next call.
     ///
-    /// It is at most the number for one second, so a program that was stopped does not catch up
-    /// with hours.
+    /// The result is at most the number of steps in one second. So a program that was stopped for
+    /// hours does not make the steps of these hours.
     int due(double seconds) {
         // A step is not put off because of a rounding error. 1/60 s, as a double, times 60 is 1,
         // but a sum of many need not be whole. 2^-20 of a step exceeds the error of 2^30 steps, and
@@ -171,7 +176,8 @@ public:
 
 private:
     double per_second_;
-    double steps_ = 0; ///< steps not yet handed out; may be less than 0 by the slack
+    /// Steps, or parts of one, not yet handed out; less than 0 by the slack at most.
+    double steps_ = 0;
 };
 
 #endif

@@ -9,8 +9,8 @@
 
 #include <memory>
 
-/// A pipeline that draws on a screen with a 2D rasterizer. The keys q and Escape end it, and it
-/// follows changes of the screen's size.
+/// A pipeline that draws on a screen with a 2D rasterizer. The keys q and Escape end the program.
+/// Pictures take the screen's new size when it changes.
 ///
 /// A subclass overrides `draw`, and the calls of l3d_pipeline that it answers. If it has keys of
 /// its own, it passes all others to l3d_pipeline_2d::key_event.
@@ -22,15 +22,16 @@ public:
 
     /// The screen that shows the pictures.
     l3d_screen& screen() { return *screen_; }
-    /// The canvas's letters. Lives: copies share the letters drawn so far, so all belong to one
-    /// thread.
+    /// The letters of the canvas, for text in pictures. Lives: copies of a font share a store of
+    /// drawn letters, so only one thread may use them all.
     const l3d_font& font() const { return font_; }
     /// The picture's width and height, in pixels.
     l3d_size size() { return screen_->pixels().size(); }
 
     void key_event(int key) override;
 
-    /// Takes the new pixels; a subclass that overrides this calls it first.
+    /// Draws into the screen's new pixels from now on. A subclass that overrides this function
+    /// calls it first.
     void resize_event(l3d_size size) override;
 
     void draw_event() final;
@@ -40,8 +41,8 @@ protected:
     l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
 
 private:
-    /// Draws a picture. The last picture lies below it, unless `clear_buffer` or a resize cleared
-    /// that.
+    /// Draws a picture on top of the last one. The pixels are clear after a resize; call
+    /// `clear_buffer` to draw on a clear picture each time.
     virtual void draw(l3d_rasterizer_2d& rasterizer) = 0;
 
     std::unique_ptr<l3d_screen> screen_;

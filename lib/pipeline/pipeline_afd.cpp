@@ -26,21 +26,22 @@
 
 namespace {
 
-/// How much finer normals of curved models are with the map of doubt: an eighth of the usual error,
-/// two levels more. The map tells folds only as exactly as normals are known, and otherwise doubts
-/// whole tiles. One level does for spheres and tori, two for a hull with cusps (docs/NUMERICS.md,
-/// section 25).
+/// The factor by which curved models' normals are more exact with the map of errors: two levels of
+/// models finer. The map tells folds only as exactly as normals are known, and otherwise doubts
+/// whole tiles. One level suffices for spheres and tori, two for a hull with cusps
+/// (docs/NUMERICS.md, section 25).
 constexpr double finer_for_map = 8;
 
-/// The part of the tolerance that curved models may take where there are trims. Polygons that stand
-/// for trims have corners by the root of it. Dicing gets the part that errors leave
-/// (docs/NUMERICS.md, section 27). With the map of doubt, curved models keep the usual part, since
-/// the map says little beside borders that are off so far.
+/// The part of the tolerance that the approximation of curved models may take if they have trims.
+/// The number of corners of the polygons that stand for trims falls with its square root. Dicing
+/// gets the rest of the tolerance (docs/NUMERICS.md, section 27). With the map of errors, curved
+/// models keep the usual part, since the map tells little beside borders that are off so far.
 constexpr double trimmed_share = 0.25;
 
 using l3d_detail::stopwatch;
 
-/// The most levels by which a shade changes if its unit normal is off by 1: NUMERICS, section 1.
+/// The most shade levels of 0 to 255 by which a shade changes if its unit normal is off by 1
+/// (NUMERICS, section 1).
 constexpr double lambert_levels = 229.5;
 
 void check_method(const l3d_method_factory& method, const l3d_patch_scene& scene) {
@@ -49,8 +50,8 @@ void check_method(const l3d_method_factory& method, const l3d_patch_scene& scene
                         "trimmed surfaces: " + method.name() + " draws whole ones alone");
 }
 
-/// Creates the rasterizer of lines and text for a screen. First it makes sure that a picture can be
-/// drawn.
+/// Creates the rasterizer of lines and text for a screen, after it has checked that the settings
+/// can be drawn.
 std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& rasterizers,
                                                  l3d_screen& screen, const l3d_camera& camera,
                                                  const l3d_afd_settings& settings,
@@ -62,8 +63,9 @@ std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& r
     return rasterizers.create_2d(screen.pixels());
 }
 
-/// Bounds the bends of all patches, so that the first frame takes as long as others. A curved model
-/// has too many parts for that: each frame bounds those that it draws first.
+/// Bounds the bends of all patches, so that the first frame does not take longer than others. A
+/// curved model has too many parts for this: there, each frame bounds the parts that it is the
+/// first to draw.
 void bound_bends(const l3d_patch_scene& scene, l3d_workers& workers) {
     std::set<const void*> bounded;
     for (const l3d_patch_instance& instance : scene.instances()) {
@@ -244,9 +246,10 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
             .error_map = settings_.error_map};
 }
 
-/// The parts of the picture to draw; none if the picture is right as it is. There are two reasons
-/// to draw the whole picture. Earlier drawing on top, whose place is unknown, may have to go. Or
-/// the parts have three quarters of the pixels, and so cost nearly as much (docs/SPEED.md).
+/// The parts of the picture to draw; none if the picture is right as it is. If only instances were
+/// moved, there are two reasons to draw the whole picture all the same. Earlier drawing on top,
+/// whose place is unknown, may have to go. Or the parts have three quarters of the pixels, and so
+/// cost nearly as much as all (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)
@@ -264,8 +267,8 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     return parts_that_moved(whole.area() / 4 * 3, now.shading.reach());
 }
 
-/// Boxes around the old and new places of moved instances, grown by `reach`; the whole picture if
-/// they have more than `most` pixels.
+/// Boxes around the old and new places of moved instances, grown by `reach` pixels. The result is
+/// the whole picture if the boxes have more than `most` pixels.
 l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach) {
     const l3d_matrix<double>& to_image = stages_->transform.matrix();
     l3d_pixel_boxes parts;
@@ -287,7 +290,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach)
     return reached;
 }
 
-/// Keeps the picture with its bounds.
+/// Keeps the last picture, and its bounds in the report: nothing is drawn.
 void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();
@@ -354,7 +357,7 @@ void l3d_pipeline_afd::fill_surfaces(const basis& now, const l3d_pixel_boxes& pa
         std::max(std::int64_t{0}, report_.dice.unchanged - more * scene_.patch_count());
 }
 
-/// Draws a scene into a part of a picture, and adds to the report.
+/// Draws a scene into a part of a picture, and adds the work to the report.
 void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_stage_times& times) {
     const l3d_method_frame frame{.scene = of.scene,
                                  .materials = of.scene.materials(),
@@ -378,9 +381,9 @@ void l3d_pipeline_afd::draw_surfaces(const basis& now, const drawing& of, l3d_st
     report_.surface.add(stages_->method->surface_counts());
 }
 
-/// Adds the bounds of the kept pixels to the report. A whole frame might have diced further patches
-/// beside the parts, or patches that earlier batches do not hide. Only one thing is known of these:
-/// their steps would keep the tolerance.
+/// Adds the bounds of the kept pixels to the report. Drawing the whole frame might have diced
+/// further patches beside the parts, or patches that earlier batches do not hide. It is only known
+/// that the steps of such patches would keep the tolerance.
 void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     l3d_dice_counts& now = report_.dice;
     if (report_.pixels_kept > 0) {
@@ -395,7 +398,8 @@ void l3d_pipeline_afd::keep_bounds(const l3d_dice_counts& kept) {
     now.coarsest = std::max(now.coarsest, kept.coarsest);
 }
 
-/// Compares surfaces with the exact picture, before anything is drawn on top of them.
+/// Bounds the difference of the surfaces from the exact picture, for the map of errors, before
+/// anything is drawn on top.
 void l3d_pipeline_afd::find_doubts(bool has_levels, l3d_stage_times& times) {
     const stopwatch finding;
     constexpr double unknown = std::numeric_limits<double>::infinity();

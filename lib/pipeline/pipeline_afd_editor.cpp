@@ -43,8 +43,8 @@ void l3d_pipeline_afd_editor::edit(const l3d_patch_model& model,
     reshape();
 }
 
-/// Shows or hides the handles. While they are shown, the screen reports all motion of the pointer,
-/// since it may come over a handle.
+/// Shows or hides the handles. While handles are shown, the screen reports all motion of the
+/// pointer, since the pointer may come over a handle.
 void l3d_pipeline_afd_editor::show_handles(bool shown) {
     is_editing_ = shown;
     settings().depth = shown || settings().depth; // tells which lines are hidden
@@ -113,7 +113,7 @@ void l3d_pipeline_afd_editor::reshape() {
     is_changed_ = false;
 }
 
-/// Draws a frame. It makes the model anew once for all events since the last frame.
+/// Draws a frame. The model is made anew once for all changes since the last frame.
 void l3d_pipeline_afd_editor::draw_event() {
     if (is_changed_)
         reshape();

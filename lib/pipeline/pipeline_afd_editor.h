@@ -20,81 +20,90 @@
 #include <utility>
 #include <vector>
 
-/// The picture in which handles are seen.
+/// The picture in which handles are drawn and dragged.
 struct L3D_PUBLIC l3d_handle_view {
-    l3d_camera camera;     ///< the eye of the picture
+    l3d_camera camera;     ///< the camera of the picture
     l3d_size size;         ///< size of the picture, in pixels
-    double text_scale = 1; ///< lines and handles are larger by this factor: l3d_screen::text_scale
+    double text_scale = 1; ///< factor of the size of lines and handles: l3d_screen::text_scale
 };
 
-/// The control points of surfaces as handles, joined by the lines of their nets. A handle stands
-/// for all control points that were at one place at first: where patches meet, where a surface
-/// closes, and at a pole. These move together, and their weights change by the same factor.
+/// The control points of surfaces as handles that the user can drag, joined by the lines of their
+/// nets. A handle stands for all control points that were at the same place at first: where patches
+/// meet, where a surface closes, and at a pole. The points of a handle move together, and their
+/// weights change by the same factor.
 ///
 /// A drag with the left button moves a handle in the plane through it that is parallel to the
-/// picture. A drag with the right button moves it along the view axis; up is away from the eye. The
-/// wheel over a handle changes its weight. All of this can be undone.
+/// picture. A drag with the right button moves the handle along the view axis: a drag upwards moves
+/// it away from the eye. The wheel over a handle changes its weight. undo() takes any such change
+/// back.
 /// Lives: a value.
 class L3D_PUBLIC l3d_control_handles {
 public:
     /// A place in the world.
     using vector = l3d_nurbs_surface::vector;
 
-    /// Makes handles for these surfaces. Cost: a look at each control point.
+    /// Makes handles for the control points of these surfaces. Cost: a search for each control
+    /// point.
     explicit l3d_control_handles(std::vector<l3d_nurbs_surface> surfaces);
 
-    /// The surfaces as they are now.
+    /// The surfaces with all changes.
     std::span<const l3d_nurbs_surface> surfaces() const { return surfaces_; }
 
     /// The number of handles.
     std::size_t count() const { return members_.size(); }
-    /// The place of a handle. Expects: handle < count().
+    /// The place of a handle in the world. Expects: handle < count().
     const vector& place(std::size_t handle) const;
     /// The weight of a handle's first control point. Expects: handle < count().
     double weight(std::size_t handle) const;
-    /// The surface, row and column of a handle's first control point, from 1 on, as people read
-    /// them. Expects: handle < count().
+    /// The name of a handle for the user: surface, row and column of its first control point,
+    /// counted from 1. The surface is left out if there is only one. Expects: handle < count().
     std::string name(std::size_t handle) const;
 
-    /// Finds the handle nearest to (x, y). If several are in about the same place, it finds the one
-    /// nearest to the eye. The result is nothing if no handle is within reach.
+    /// Finds the handle nearest to (x, y) of the picture. Among handles that are about equally
+    /// near, it finds the one nearest to the eye. The result is nothing if no handle is within 10
+    /// pixels times text_scale.
     /// Units: pixels from the picture's left upper corner.
     std::optional<std::size_t> find(double x, double y, const l3d_handle_view& view) const;
 
-    /// The handle that is dragged, or else the one under the pointer; nothing if there is neither.
+    /// The handle that is dragged, or else the handle under the pointer; nothing if there is
+    /// neither.
     std::optional<std::size_t> marked() const { return marked_; }
 
-    /// The reach of all handles, to pass to l3d_framed. Lives: the result borrows this object.
+    /// A function that tells how far handles reach in a direction, for l3d_framed.
+    /// Lives: the result borrows this object.
     l3d_reach reach() const;
 
-    /// Moves a handle. It returns false, and changes nothing, if a coordinate exceeds 1e12.
+    /// Moves a handle to this place in the world. It returns false, and changes nothing, if the
+    /// absolute value of a coordinate exceeds 1e12.
     /// Expects: handle < count().
     bool move(std::size_t handle, const vector& to);
 
-    /// Multiplies the weights of a handle. It returns false, and changes nothing, if a weight would
-    /// leave the range from least_weight to most_weight.
+    /// Multiplies the weights of a handle's control points by a factor. It returns false, and
+    /// changes nothing, if a weight would leave the range from least_weight to most_weight.
     /// Expects: handle < count(), factor > 0.
     bool scale_weight(std::size_t handle, double factor);
     /// The least weight that scale_weight makes.
     static constexpr double least_weight = 1e-3;
-    /// The largest weight that scale_weight makes. Bounds of the error are tested up to here.
+    /// The largest weight that scale_weight makes. Tests cover bounds of the error for weights up
+    /// to this one.
     static constexpr double most_weight = 1e3;
 
-    /// Takes the last change back: a whole drag, or all changes of one weight. It returns false if
-    /// there is none.
+    /// Takes the last change back: a whole drag, or all changes of one handle's weight in a row. It
+    /// returns false if there is no change to take back.
     bool undo();
 
-    /// The effect of an event.
+    /// The effect of an event on handles: it tells which things have to be drawn again.
     enum class effect {
         none,    ///< the event means nothing to handles
-        seen,    ///< only the picture of handles is old; the surfaces are the same
+        seen,    ///< only the handles must be drawn again; the surfaces are the same
         changed, ///< the surfaces have changed
     };
-    /// Handles an event of the pointer: drags a handle or changes its weight, and marks the one
+    /// Handles an event of the pointer: drags a handle or changes its weight, and marks the handle
     /// under the pointer.
     effect pointer(const l3d_event& event, const l3d_handle_view& view);
 
-    /// Draws nets and handles. Those behind a surface of `depth` are pale; if it is null, none are.
+    /// Draws nets and handles. `depth` holds the depths of the surfaces in the picture: lines and
+    /// handles behind these surfaces are pale. If it is null, none are pale.
     void draw(l3d_rasterizer_2d& rasterizer, const l3d_handle_view& view,
               const l3d_depth_buffer* depth) const;
 
@@ -102,7 +111,7 @@ private:
     struct member {
         std::size_t surface, point;
     };
-    /// A handle as it was.
+    /// A handle's place and weights before a change, for undo.
     struct state {
         std::size_t handle;
         vector place;
@@ -110,7 +119,7 @@ private:
     };
     enum class change { place, weight };
     struct grab {
-        double right, down; ///< from the pointer to the handle, in pixels
+        double right, down; ///< offset from the pointer to the handle, in pixels
         bool is_along_view;
         int y; ///< the pointer's last row
     };
@@ -122,35 +131,38 @@ private:
     effect drag(const l3d_event& motion, const l3d_handle_view& view);
 
     std::vector<l3d_nurbs_surface> surfaces_;
-    std::vector<std::vector<member>> members_;             ///< the points of each handle
+    std::vector<std::vector<member>> members_;             ///< the control points of each handle
     std::vector<std::pair<std::size_t, std::size_t>> net_; ///< handles that lines join, each once
     std::optional<std::size_t> marked_;
-    std::optional<grab> grab_; ///< the hold on the marked handle
+    std::optional<grab> grab_; ///< how the pointer holds the marked handle; none if it drags none
     std::vector<state> undo_;
-    /// The change that is going on. Further steps of the same change add no state to undo.
+    /// The handle that is being changed, and the kind of change. Further steps of this change add
+    /// no state to undo.
     std::optional<std::pair<std::size_t, change>> going_on_;
 };
 
-/// l3d_pipeline_afd_viewer with l3d_control_handles on its model, and keys that show them, undo and
-/// save. A panel tells the bound, times, and the handle under the pointer.
+/// A viewer of patches in which the user drags the model's control points (l3d_control_handles).
+/// Keys show the handles, undo changes, and save. A panel tells the error bound, times, and the
+/// handle under the pointer.
 ///
-/// Expects: the scene is one opaque instance at its own place. For any other scene, the key for
-///          handles says why it shows none.
-/// Cost:    after a change the whole model is made again before the next frame, some 10 us a
-///          bicubic patch, and more for other pieces. The panel tells the time.
+/// Expects: the scene is one opaque instance, placed without a transform. For any other number of
+///          instances, or a transparent one, the key for handles says why it shows none.
+/// Cost:    after a change the whole model is made again before the next frame. This takes some 10
+///          us a bicubic patch, and more for other pieces. The panel tells the time.
 class L3D_PUBLIC l3d_pipeline_afd_editor : public l3d_pipeline_afd_viewer {
 public:
-    /// A viewer that shows no handles yet. Errors: as l3d_pipeline_afd.
+    /// Makes a viewer that shows no handles yet. Errors: as l3d_pipeline_afd.
     l3d_pipeline_afd_editor(l3d_canvas canvas, l3d_patch_scene scene, const l3d_camera& camera,
                             const l3d_afd_settings& settings);
 
-    /// Puts these surfaces into the scene, with handles on them. No earlier change can be undone.
-    /// Expects: all surfaces together have as many pieces() as the model. Each piece gets colour
-    ///          and part from the model's piece with the same number.
+    /// Puts these surfaces into the scene, with handles on their control points. Earlier changes
+    /// cannot be undone any more.
+    /// Expects: all surfaces together have as many pieces() as the model. Each piece gets its
+    ///          colour and part from the model's piece with the same number.
     void edit(const l3d_patch_model& model, std::vector<l3d_nurbs_surface> surfaces);
 
-    /// Sets whether the panel tells times in a window; at first it does. Turn this off if each run
-    /// has to draw the same pictures.
+    /// Sets whether the panel in a window tells times; at first it does. Times differ from run to
+    /// run. Pass false if each run has to draw the same pictures.
     void tell_times(bool whether) { tells_times_ = whether; }
 
     /// The handles; null until edit(), or the key that shows handles, makes them.
@@ -167,7 +179,7 @@ public:
 
 protected:
     void draw_overlay() override;
-    /// Empty unless handles are shown.
+    /// The panel about error bound, times and the marked handle; empty unless handles are shown.
     l3d_standing_panel standing_panel() override;
 
 private:
@@ -180,7 +192,7 @@ private:
     void save();
     void reshape();
 
-    l3d_patch_model model_; ///< all of it, with its colours and parts
+    l3d_patch_model model_; ///< the model of edit(), with its colours and parts
     std::optional<l3d_control_handles> handles_;
     bool is_editing_ = false, is_changed_ = false;
     bool tells_times_ = true;

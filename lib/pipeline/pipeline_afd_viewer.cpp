@@ -71,8 +71,8 @@ void l3d_pipeline_afd_viewer::scale_tolerance(double factor) {
     controls_.say("error at most " + counted(formatted("%.3g", settings().tolerance), "pixels"));
 }
 
-/// Takes the next shade. It skips `error` if the method has no bound, and the inspecting shades,
-/// which have a key of their own.
+/// Takes the next shade. It skips `error` if the method has no bound of the error, and skips the
+/// inspecting shades, which have a key of their own.
 void l3d_pipeline_afd_viewer::take_next_shade() {
     const std::size_t count = l3d_shades_of_normals + settings().method.has_bound();
     const std::size_t after = static_cast<std::size_t>(settings().shade) + 1;
@@ -84,7 +84,7 @@ void l3d_pipeline_afd_viewer::take_next_shade() {
                        : ""));
 }
 
-/// Takes the next inspecting shade; after the last one, light.
+/// Takes the next inspecting shade; after the last one, it takes the shade of light.
 void l3d_pipeline_afd_viewer::take_next_inspection() {
     if (!settings().method.is_default())
         return controls_.say("no exact derivatives of " + settings().method.name());
@@ -98,7 +98,8 @@ void l3d_pipeline_afd_viewer::take_next_inspection() {
     controls_.say(std::string("shading: ") + next.first);
 }
 
-/// Shows or hides the wireframe. It shows dicing steps, so other methods refuse it.
+/// Shows or hides the wireframe. A wireframe shows the steps of dicing, so it is refused for
+/// methods without dicing.
 void l3d_pipeline_afd_viewer::switch_wireframe() {
     if (settings().method.is_default())
         settings().wireframe = !settings().wireframe;
@@ -118,7 +119,7 @@ void l3d_pipeline_afd_viewer::switch_projection() {
         controls_.say("no parallel projection of " + settings().method.name());
 }
 
-/// Shows a line about a part; the picture marks the part as long as the line stands.
+/// Shows a line of text about a part. The picture marks the part as long as this line is shown.
 void l3d_pipeline_afd_viewer::tell_of_part(std::string line) {
     controls_.say(std::move(line));
     marks_part_ = true;
@@ -150,7 +151,7 @@ void l3d_pipeline_afd_viewer::rest_event(double seconds) {
         redraw();
 }
 
-/// Draws a frame and measures its pace. A kept picture with other words on top does not count.
+/// Draws a frame and measures its time. A kept picture with new panels on top does not count.
 void l3d_pipeline_afd_viewer::draw_event() {
     controls_.pace().begin();
     l3d_pipeline_afd::draw_event();
@@ -240,7 +241,7 @@ l3d_part_list& l3d_part_switch::list() {
     return list_;
 }
 
-/// The model in the colours of the list, without its hidden parts.
+/// A model in the colours of the list, without the parts that the list hides.
 l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
     l3d_patch_model result = whole;
     std::vector<std::size_t> hidden;
@@ -256,8 +257,9 @@ l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
     return hidden.empty() ? result : result.without(hidden);
 }
 
-/// Places the models as listed. If nothing would be left, undoes the list and returns false.
-/// Placing a model drops its instance's material and opacity, so they are set again.
+/// Places the models as the list says. If nothing would be left, undoes the list's last change and
+/// returns false. Placing a model drops its instance's material and opacity, so these are set
+/// again.
 bool l3d_part_switch::apply() {
     list();
     std::vector<l3d_patch_model> models;

@@ -14,46 +14,48 @@
 #include <string>
 #include <vector>
 
-/// Shows, hides and colours the named parts of a scene's models, as an l3d_part_list says. Parts of
-/// the same name count as one, in whichever instance.
+/// Shows, hides and colours the named parts of a scene's models, as an l3d_part_list says. Parts
+/// with the same name count as one part, even in different instances.
 ///
-/// Only shown parts stand in the scene: a hidden part's patches are taken out of their instances.
-/// If a program gives an instance another model, all of that model is shown.
+/// The scene holds only parts that are shown: a hidden part's patches are taken out of their
+/// instances. If a program gives an instance another model, all of that model is shown.
 /// Lives: borrows the scene.
 class L3D_PUBLIC l3d_part_switch {
 public:
-    /// Switches the parts of this scene, which may get its models later.
+    /// Switches the parts of this scene. The scene may get its models later.
     explicit l3d_part_switch(l3d_patch_scene& scene) : scene_(scene) {}
 
-    /// The parts of all models and their states, up to date. After a change, call apply().
+    /// The list of all models' parts and their states, brought up to date. After a change of the
+    /// list, call apply().
     l3d_part_list& list();
 
-    /// Makes the scene show what the list says. At least one part stays shown: if nothing would be
-    /// left, the list's last change is taken back.
-    /// Returns: false for a change that was taken back.
+    /// Makes the scene show the parts as the list says. If no part would be left to see, it takes
+    /// the list's last change back instead.
+    /// Returns: false if the change was taken back.
     /// Cost:    bounds of the patches that stay are computed again: some microseconds for each.
     bool apply();
 
-    /// Chooses the next part: the first one at the first call, and again after the last one.
+    /// Chooses the next part: the first part at the first call, and again after the last part.
     /// Returns: a line that names the part.
     std::string choose_next() { return list().choose_next(); }
 
-    /// Hides the chosen part, or shows it again. If none is chosen, it chooses the first.
+    /// Hides the chosen part, or shows it again. If no part is chosen, it chooses the first one
+    /// before.
     /// Returns: a line that tells the part's new state.
     /// Cost:    as apply().
     std::string switch_chosen();
 
-    /// The name of the chosen part; "" if none is.
+    /// The name of the chosen part; "" if none is chosen.
     std::string chosen() const { return list_.chosen() ? list_.chosen()->name : ""; }
 
-    /// The line for people after a change that apply() took back.
+    /// The text that tells the user that apply() took a change back.
     std::string refusal() const;
 
     /// Shows all parts.
     void show_all();
 
 private:
-    /// An instance's own model, and the model of its shown parts that stands in for it.
+    /// An instance's whole model, and the model of the shown parts that replaces it in the scene.
     struct taken {
         l3d_patch_model whole, shown;
     };
@@ -65,7 +67,8 @@ private:
     std::vector<taken> instances_;
 };
 
-/// l3d_pipeline_afd with the controls that its help overlay lists.
+/// A viewer of patches: l3d_pipeline_afd with keys and mouse to turn, zoom and inspect the scene.
+/// Its help lists them.
 class L3D_PUBLIC l3d_pipeline_afd_viewer : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
@@ -88,13 +91,14 @@ public:
     void rest_event(double seconds) override;
 
 protected:
-    /// The title of the scale of mode `error`. A subclass that shows more than bounds overrides it.
+    /// The title of the scale of colours in mode `error`. A subclass whose scale shows other errors
+    /// than bounds overrides this function.
     virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
-    /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
+    /// A panel that a subclass shows in every picture. The viewer's own panels do not cover it.
     virtual l3d_standing_panel standing_panel() { return {}; }
 
-    /// The parts that keys choose, hide and show.
+    /// The switch of the parts that keys choose, hide and show.
     l3d_part_switch& parts() { return parts_; }
 
 private:
@@ -112,7 +116,7 @@ private:
     l3d_panel legend();
 
     l3d_part_switch parts_{scene()};
-    bool marks_part_ = false; ///< the picture marks a part until the next key
+    bool marks_part_ = false; ///< whether the picture marks the chosen part, until the next key
     l3d_viewer_controls controls_{
         *this, screen(), camera(), own_rows(), [this] { parts_.show_all(); }, viewed(), font()};
 };

@@ -15,27 +15,29 @@ namespace l3d_detail {
 
 using json = nlohmann::ordered_json;
 
-/// A reason for leaving things out: its name, the test that proves it, and their number.
+/// A reason for leaving things out of a picture: its name, the test that proves that the things are
+/// not seen, and their number.
 struct left_out {
     const char* name;
     const char* proof;
     std::int64_t count;
 };
 
-/// The counts of all reasons, by their names.
+/// A JSON object with the count of each reason, by the reason's name.
 json counts_json(std::span<const left_out> reasons);
 
-/// The first entries of a report's line of JSON.
+/// The first entries of a report's line of JSON: frame, method, renderer, number type, vectors,
+/// size, threads.
 json head_json(const l3d_common_report& report);
 
-/// Adds the times that all frames have to an object of times.
+/// Adds the times that all frames have to `times`, the JSON object of a frame's times.
 void add_times(json& times, const l3d_common_times& more);
 
 /// Adds the last entries of a report's line: pixels, names of the reasons that occurred, and hash.
 void add_tail(json& line, const l3d_common_report& report, std::span<const left_out> reasons);
 
-/// Explains what was left out: a line for each reason that occurred, with its count among `all`
-/// things called `what`.
+/// Explains what was left out: a line for each reason that occurred, with its count. `all` is the
+/// number of all things, and `what` their name, such as "patches".
 std::string explained(std::span<const left_out> reasons, std::int64_t all, const std::string& what);
 
 } // namespace l3d_detail

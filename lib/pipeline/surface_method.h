@@ -21,42 +21,46 @@
 class l3d_pixel_bits;
 struct l3d_dice_view;
 
-/// The task of a frame: the scene to draw, and the picture to draw it into.
+/// The task that a frame gives to a surface method: the scene to draw, and the picture to draw it
+/// into.
 ///
-/// Lives: everything that it refers to must outlive the frame.
+/// Lives: the objects that its members refer to must outlive the frame.
 struct L3D_PUBLIC l3d_method_frame {
     const l3d_patch_scene& scene; ///< the scene to draw
-    /// The scene's materials, indexed by l3d_patch_scene::material_of; none if all is white.
+    /// The scene's materials, indexed by l3d_patch_scene::material_of; empty if all surfaces are
+    /// white.
     std::span<const l3d_material> materials;
-    const l3d_camera& camera;           ///< the camera
-    const l3d_matrix<double>& to_image; ///< world to image; for the library's own methods
-    const l3d_dice_view& view;          ///< for them, too; others use the camera's image_matrix
-    const l3d_shading& shading;         ///< light, and the way to shade
-    l3d_pixels target;                  ///< the picture, to be drawn into
-    l3d_depth_buffer& depth;            ///< 1 / distance for each pixel of the target
-    bool wants_depth;                   ///< whether depth is wanted; else the buffer may stay as is
-    bool untouched;     ///< whether nobody wrote to the target since the last frame's end
-    bool counts_pixels; ///< whether the number of covered pixels is wanted
+    const l3d_camera& camera;           ///< the camera that sees the scene
+    const l3d_matrix<double>& to_image; ///< map from world to image, for the library's own method
+    const l3d_dice_view& view;  ///< for the library's own method; others use camera.image_matrix
+    const l3d_shading& shading; ///< lights, and the way to shade
+    l3d_pixels target;          ///< the picture to draw into
+    l3d_depth_buffer& depth;    ///< 1 / distance for each pixel of the target, to be written
+    bool wants_depth;           ///< whether depth is wanted; if not, `depth` may stay as it is
+    bool untouched;             ///< whether nobody wrote to the target since the last frame's end
+    bool counts_pixels;         ///< whether the number of covered pixels is wanted
 
-    /// The part of the picture that is drawn; the rest stays as it is. It is the whole picture,
-    /// unless the method draws parts and nobody wants depth.
+    /// The part of the picture to draw; the rest stays as it is. It is the whole picture if
+    /// wants_depth is true, or if the method does not draw parts.
     l3d_pixel_box part;
 
-    bool outlines = false; ///< whether the pixels that outlines reach are wanted
-    /// How the pictures that lie on patches are looked up.
+    bool outlines = false; ///< whether the pixels that an outline may cross are wanted
+    /// The way to look up the colours of pictures that lie on patches.
     l3d_texture_filter filter = l3d_texture_filter::anisotropic;
-    double curved_px = 0; ///< bound of the patches' distance from the surfaces that they
-                          ///< approximate
+    /// Bound of the distance in the picture between patches and the surfaces that they approximate.
+    /// Units: pixels.
+    double curved_px = 0;
 
-    /// Whether less than the whole picture is drawn.
+    /// Whether only a part of the picture is to be drawn.
     bool is_part() const { return part != l3d_whole(target.size()); }
 };
 
-/// Draws the surfaces of whole frames, and bounds the error.
+/// A way to draw the surfaces of whole frames and to bound the error. Programs compare methods by
+/// it.
 ///
-/// The picture of a method depends on the frame alone, not on frames before or on threads.
-/// `counts().bound_px` is the certified image error of the drawn surfaces. It is infinite for
-/// methods that cannot give any.
+/// The picture that a method draws depends on the l3d_method_frame alone, not on earlier frames or
+/// on threads. `counts().bound_px` is the certified bound of the drawn surfaces' error in the
+/// image. It is infinite if the method cannot bound the error.
 class L3D_PUBLIC l3d_surface_method {
 public:
     l3d_surface_method() = default;
@@ -64,33 +68,35 @@ public:
     l3d_surface_method& operator=(const l3d_surface_method&) = delete;
     virtual ~l3d_surface_method() = default;
 
-    /// The renderer that fills, in one line for reports; empty for the processors.
+    /// One line for reports that names the OpenGL renderer that fills surfaces; empty if the
+    /// library itself fills them.
     std::string renderer() const { return do_renderer(); }
 
-    /// Whether counts() bound the error of depth.
+    /// Whether counts() have a bound of the error of depth.
     bool certifies_depth() const { return do_certifies_depth(); }
-    /// Whether counts() bound the error of greys, in frames shaded like this.
+    /// Whether counts() have a bound of the error of shade levels, in frames with this shading.
     bool certifies_shade(const l3d_shading& shading) const { return do_certifies_shade(shading); }
 
-    /// Whether it can draw a part of a picture without the rest (l3d_method_frame::part).
+    /// Whether the method can draw a part of a picture without the rest (l3d_method_frame::part).
     bool draws_parts() const { return do_draws_parts(); }
 
-    /// Draws a frame; adds the times of its stages to `times`.
-    /// Expects: a depth buffer of the target's size if `wants_depth`.
+    /// Draws a frame, and adds the times of the stages to `times`.
+    /// Expects: frame.depth has the target's size if frame.wants_depth is true.
     void draw(const l3d_method_frame& frame, l3d_stage_times& times) { do_draw(frame, times); }
 
-    /// The counts of the last frame.
+    /// The counts of patches and the error bounds of the last frame.
     const l3d_dice_counts& counts() const { return do_counts(); }
-    /// The counts of the last frame's filling, covered pixels among them.
+    /// The counts of the work of filling the last frame, with the number of covered pixels.
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
-    /// The pixels of the last frame in which it is not certain what is seen, since an outline may
-    /// lie there. It is null if the frame did not ask for them, or was only a part of a picture.
-    /// Methods that do not find them give null, too.
+    /// The pixels of the last frame that an outline may cross, so that it is not certain which
+    /// surface they show. The result is null if the frame did not ask for outlines, or was only a
+    /// part of a picture. It is also null if the method does not find outlines.
     const l3d_pixel_bits* outlines() const { return do_outlines(); }
 
 protected:
-    /// The value of l3d_surface_counts::covered, from the depth of everything drawn in the frame.
+    /// The value for l3d_surface_counts::covered, counted in `depth`, the depths of all surfaces of
+    /// the frame. It is none_counted if the frame does not ask for it.
     static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
         return frame.counts_pixels ? l3d_covered(depth) : l3d_surface_counts::none_counted;
     }
@@ -110,14 +116,16 @@ class l3d_rasterizer_factory;
 class l3d_surface_method;
 class l3d_workers;
 
-/// Makes a surface method, and tells what a pipeline must know of it beforehand.
+/// Makes a surface method, and tells a pipeline beforehand what the method can do.
 ///
-/// A default one makes the library's own method: adaptive forward differencing in l3d_real.
+/// A default-constructed factory makes the library's own method: adaptive forward differencing in
+/// numbers of type l3d_real.
 class L3D_PUBLIC l3d_method_factory {
 public:
-    /// Makes a method that fills with surfaces of these rasterizers, by these workers.
+    /// Function that makes a method. The method fills surfaces with rasterizers of this factory, on
+    /// the threads of these workers.
     /// Expects: never returns null.
-    /// Errors:  exceptions of the call leave the pipeline's constructor.
+    /// Errors:  exceptions of the call leave the pipeline's constructor, or take_method.
     /// Lives:   the method may borrow the workers, but not the rasterizers.
     using create_call = std::function<std::unique_ptr<l3d_surface_method>(
         const l3d_rasterizer_factory& rasterizers, l3d_workers& workers)>;
@@ -125,14 +133,14 @@ public:
     /// The factory of the library's own method.
     l3d_method_factory();
 
-    /// Makes factories of methods that `create` makes. Reports and messages call these methods by
-    /// `name`. `has_bound` says that their counts bound the error, which mode `error` needs.
-    /// `draws_parallel` says that they draw parallel projections, with the depths that l3d_shading
-    /// has there; other methods get no such frames.
+    /// Makes a factory whose methods `create` makes. `name` is the methods' name in reports and
+    /// messages. `has_bound` says that the methods' counts bound the error, as mode `error` needs.
+    /// `draws_parallel` says that the methods draw parallel projections, with depths as in
+    /// l3d_shading. Other methods get no frames in parallel projection.
     l3d_method_factory(std::string name, create_call create, bool has_bound = false,
                        bool draws_parallel = false);
 
-    /// The name that reports and messages give the method.
+    /// The method's name in reports and messages.
     const std::string& name() const { return name_; }
     /// Whether the method's counts bound the error of each frame.
     bool has_bound() const { return has_bound_; }
@@ -140,7 +148,8 @@ public:
     /// Whether the method draws parallel projections.
     bool draws_parallel() const { return draws_parallel_; }
 
-    /// Whether it makes the library's own method, whose steps the wireframe shows.
+    /// Whether the factory makes the library's own method. Only this method has steps for a
+    /// wireframe to show.
     bool is_default() const { return is_default_; }
 
     /// Makes a method; never null.

@@ -12,14 +12,14 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// A drag across 360 pixels is one turn.
+/// The angle of turning for a drag: 360 pixels make one turn.
 constexpr double drag_turn = 1; // degrees for a pixel
-/// Factor of zoom for a notch of the wheel.
+/// The factor of zoom for a notch of the wheel.
 constexpr double notch_zoom = 1.1;
-/// Factor of zoom for a pixel of a drag: 70 pixels double it.
+/// The factor of zoom for a drag by a pixel: a drag by 70 pixels doubles the distance.
 constexpr double pixel_zoom = 1.01;
-/// The sine to the pole that turning keeps: just beyond the one at which l3d_camera::orbit stops,
-/// 0.02.
+/// The sine of the angle to the pole to which leave_pole() moves the eye: just larger than 0.02, at
+/// which l3d_camera::orbit stops.
 constexpr double sine_beside_pole = 0.021;
 
 /// The ratio of the picture's height to its smaller side.
@@ -93,8 +93,8 @@ void l3d_view_steering::approach(double factor, const vector& place) {
         camera_ = there;
 }
 
-/// Looks from a direction. From above or below, the model's back or front is upright in the
-/// picture.
+/// Looks from a direction. From above, the model's back is at the top of the picture; from below,
+/// its front.
 void l3d_view_steering::look_from(double right, double up, double front) {
     const l3d_upright stands(up_ = upright_);
     const double distance = l3d_length(camera_.eye - camera_.target);
@@ -116,8 +116,8 @@ void l3d_view_steering::look_from_opposite() {
         camera_.orbit(180, 0);
 }
 
-/// Moves the eye a little off the pole, since at the pole turning has no upright direction. The
-/// picture stays as upright as it was.
+/// Moves the eye a little off the pole above or below the target, since there turning has no
+/// direction up. The picture's direction up stays the same.
 void l3d_view_steering::leave_pole() {
     if (!sees_along_up())
         return;
@@ -208,7 +208,8 @@ bool l3d_view_steering::go_on(const l3d_event& motion) {
     return false;
 }
 
-/// Moves the eye so that the grabbed place stays under the pointer, which moved by these pixels.
+/// Moves the eye so that the grabbed place stays under the pointer, which has moved to the right
+/// and down by these pixels.
 void l3d_view_steering::move(double right, double down) {
     const l3d_camera::frame axes = camera_.axes();
     const double pixel = depth_of(grabbed_) / camera_.focal_length(screen_.pixels().size());

@@ -22,7 +22,8 @@ using l3d_detail::formatted;
 constexpr double key_turn = 5; // degrees
 constexpr double zoom_factor = 1.1;
 constexpr double pan_share = 0.05; // share of the picture's smaller side
-/// Degrees a second after the key t: a turn in six seconds.
+/// The speed of the turntable that the key t switches on: 60 degrees a second, a turn in six
+/// seconds.
 constexpr double usual_turntable = 60;
 
 [[maybe_unused]] bool each_key_is_in_one_row(const std::vector<l3d_viewer_row>& rows) {
@@ -53,7 +54,7 @@ void l3d_viewer_controls::add(l3d_viewer_row row) {
     assert(each_key_is_in_one_row(rows_));
 }
 
-/// The rows of keys that move the eye.
+/// The rows of help for keys that move the eye.
 std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
     const auto towards = [this](int right, int down) {
         return [this, right, down] { arrow(right, down); };
@@ -81,7 +82,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::first_rows() {
             {"Ctrl+click", "what is there; a second one: distance, angle"}};
 }
 
-/// The rows of keys that show the model's sides, as Blender has them.
+/// The rows of help for keys that show the model's sides. The keys are those of Blender.
 std::vector<l3d_viewer_row> l3d_viewer_controls::side_rows() {
     const auto look = [this](double right, double up, double front) {
         return [this, right, up, front] {
@@ -99,7 +100,7 @@ std::vector<l3d_viewer_row> l3d_viewer_controls::side_rows() {
     };
 }
 
-/// The rows of keys for the program.
+/// The rows of help for the program as a whole: status, turntable, pause, reset, files, help, end.
 std::vector<l3d_viewer_row> l3d_viewer_controls::last_rows(l3d_pipeline& viewer, l3d_screen& screen,
                                                            std::function<void()> reset) {
     const auto pause = [this] {
@@ -149,7 +150,8 @@ void l3d_viewer_controls::switch_projection() {
     say(steering_.switch_projection() ? "parallel projection" : "perspective");
 }
 
-/// Acts on an arrow key, or on its digit on the number pad.
+/// Acts on an arrow key, or on its digit on the number pad: moves the eye with Ctrl, rolls with
+/// Shift, and turns otherwise.
 void l3d_viewer_controls::arrow(int right, int down) {
     const double angle = key_turn * turn_speed_;
     if (control_) {
@@ -163,7 +165,8 @@ void l3d_viewer_controls::arrow(int right, int down) {
     }
 }
 
-/// Zooms by + and - with Ctrl; alone, these keys belong to the program.
+/// Zooms by the keys + and - if Ctrl is held. Without Ctrl, these keys belong to the program.
+/// Returns whether the key zoomed.
 bool l3d_viewer_controls::zoom_key(int key) {
     if (!control_ || (key != '+' && key != '-'))
         return false;
@@ -204,8 +207,8 @@ bool l3d_viewer_controls::pointer(const l3d_event& event) {
 
 namespace {
 
-/// The angle between two normals in words. Errors of length e change it by at most 2 asin(e / 2),
-/// and by rounding.
+/// The angle between two places' normals in words. Errors of the normals of length e change the
+/// angle by at most 2 asin(e / 2); rounding adds to this.
 std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
     const double sine = l3d_length(l3d_cross(a.normal, b.normal));
     const double cosine = l3d_dot(a.normal, b.normal);
@@ -220,8 +223,8 @@ std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
 
 } // namespace
 
-/// Measures at a place. Each first click tells the place, and each second click the distance from
-/// there.
+/// Measures at a place in the picture, at a click with Ctrl. The first click of two tells the
+/// place, and the second click the distance from there.
 void l3d_viewer_controls::measure(double x, double y) {
     if (!viewed_.place_at)
         return;
@@ -262,7 +265,7 @@ l3d_panel_style l3d_viewer_controls::panel_style() const {
     return l3d_detail::panel_style_of(screen_, font_);
 }
 
-/// All keys, on as many pages as the window needs.
+/// The help with all keys, on as many pages as the window needs.
 std::vector<l3d_panel> l3d_viewer_controls::help_pages() const {
     l3d_panel all;
     for (const l3d_viewer_row& row : rows_)
@@ -292,8 +295,8 @@ l3d_panel l3d_viewer_controls::status_panel(std::span<const std::string> lines) 
     return status;
 }
 
-/// Draws a ring around each marked place, and a line between two. Dark rims make them visible on
-/// any ground.
+/// Draws a ring around each place that was clicked on, and a line between two such places. Dark
+/// rims make rings and lines visible on any ground.
 void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     const double unit = std::max(1.0, screen_.text_scale());
     l3d_path path;
@@ -313,8 +316,8 @@ void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
 }
 
-/// Places and draws the panels. The message gets its place first. Help follows it if it would find
-/// too little room after the others.
+/// Places and draws the panels. The message gets its place first. The help gets its place next if
+/// it would find too little room after the other panels.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
     draw_marks(rasterizer);
@@ -354,8 +357,8 @@ namespace {
 
 constexpr std::chrono::seconds span{1};
 
-/// The number of pictures that count: those that began before the last one, or 1 for a single
-/// picture.
+/// The number of pictures that count for the means: those that began before the last one, or 1 for
+/// a single picture.
 template <class Pictures>
 std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point begin) {
     return done.size() - (done.size() > 1 && done.back().begin == begin ? 1 : 0);
@@ -363,8 +366,8 @@ std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point be
 
 } // namespace
 
-/// Notes the beginning of a picture, and drops old pictures. The last is kept: it tells how long
-/// drawing takes.
+/// Notes the beginning of a picture, and drops pictures of more than a second ago. The last one is
+/// kept in any case, since it tells how long drawing takes.
 void l3d_picture_pace::begin() {
     begin_ = now_();
     follows_ = !done_.empty() && begin_ - done_.back().end <= span;

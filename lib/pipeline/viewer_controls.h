@@ -23,28 +23,30 @@
 #include <utility>
 #include <vector>
 
-/// The nearest place of a model at a position in the picture.
+/// The place of a model that is seen at a position in the picture, and what is known of the surface
+/// at this place.
 struct L3D_PUBLIC l3d_pointed_place {
-    l3d_camera::vector place{0.0, 0.0, 0.0}; ///< in the world
-    double error = 0; ///< the largest distance from the exact place, in world units
-    std::string text; ///< a line about the surface there
-    /// The unit normal of the surface, turned to the eye; zero if there is none.
+    l3d_camera::vector place{0.0, 0.0, 0.0}; ///< the place in the world
+    double error = 0; ///< the largest distance of `place` from the exact place, in world units
+    std::string text; ///< a line of text about the surface at `place`, for the user
+    /// The unit normal of the surface at `place`, turned to the eye; zero if there is no normal.
     l3d_camera::vector normal{0.0, 0.0, 0.0};
-    double normal_error = 0; ///< the length of the normal's difference from the exact one
+    /// The largest length of the difference of `normal` from the exact one.
+    double normal_error = 0;
 };
 
-/// Functions that answer the controls' questions about a viewer's picture. An empty function leaves
-/// out the controls that need it.
+/// Functions by which a viewer tells its controls about its picture. If a function is empty, the
+/// controls that need it do nothing.
 struct L3D_PUBLIC l3d_viewed {
-    /// Makes the camera that shows everything along the line of sight of the given one.
+    /// Makes the camera that shows the whole model, with the direction of view of the given camera.
     std::function<l3d_camera(const l3d_camera&)> framed{};
-    /// The nearest place at a position, in pixels from the picture's left upper corner; none if
-    /// there is no surface.
+    /// Finds the place that is seen at a position, in pixels from the picture's left upper corner;
+    /// nothing if no surface is there.
     std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
 };
 
-/// Moves a viewer's camera: turns it about its target, moves and zooms it by the place under the
-/// pointer, shows a model from its sides, and frames it.
+/// Moves a viewer's camera by keys and mouse. The camera turns about its target, and is dragged and
+/// zoomed by the place under the pointer. It can show a model from its sides, and show all of it.
 ///
 /// Lives: borrows screen and camera.
 class L3D_PUBLIC l3d_view_steering {
@@ -52,49 +54,57 @@ public:
     /// A place or a direction in the world.
     using vector = l3d_camera::vector;
 
-    /// Steers the camera of pictures on that screen.
+    /// Steers `camera`, by which the pictures on `screen` are drawn. `viewed` answers questions
+    /// about these pictures.
     l3d_view_steering(l3d_screen& screen, l3d_camera& camera, l3d_viewed viewed);
 
-    /// Sets the function that makes the first view: now, at each reset, and at each change of the
-    /// picture's size until the camera is moved.
+    /// Sets the function that makes the camera of the first view. It is called at once, at each
+    /// reset, and at each change of the picture's size until the camera is moved.
     void set_home(std::function<l3d_camera()> home);
 
-    /// Returns to the first view.
+    /// Returns to the first view: the camera of set_home, or else the one at construction.
     void go_home();
-    /// Shows everything along the line of sight.
+    /// Moves the camera, without turning it, so that the picture shows the whole model.
     void frame_all();
-    /// Adapts the camera to a new size of the picture, so that the view of the model stays the
-    /// same. A camera that a program placed itself stays as it is.
+    /// Adapts the camera to a new size of the picture, so that the model is seen as before. Without
+    /// an earlier set_home() or frame_all(), the camera stays as it is.
     void resized();
 
-    /// Sets the factor by which keys and the pointer turn more than usual. Expects: more than 0.
+    /// Sets the factor that multiplies the usual angles of turning by drags.
+    /// Expects: factor > 0.
     void set_turn_speed(double factor) { turn_speed_ = factor; }
 
-    /// Moves the eye around the target. Units: degrees, about the upright axis and about the
-    /// picture's right.
+    /// Moves the eye around the target: about the axis that points up in the model, and about the
+    /// picture's horizontal axis.
+    /// Units: degrees.
     void turn(double around_up, double around_right);
-    /// Turns the picture about its middle, clockwise. The picture's new upright direction holds for
-    /// turn() until look_from or go_home. Units: degrees.
+    /// Turns the picture's content about the line of sight. Afterwards turn() takes the picture's
+    /// direction up as its axis, until look_from() or go_home().
+    /// Units: degrees.
     void roll(double degrees);
-    /// Moves the eye so that things at the target's depth go to the right and down. Units: pixels.
+    /// Moves the eye sideways, so that things at the target's depth go to the right and down in the
+    /// picture by these distances. Units: pixels.
     void pan(double right, double down);
-    /// Multiplies the eye's distance from the target, unless that leads too near or too far.
+    /// Multiplies the eye's distance from the target by a factor, unless the eye would come too
+    /// near or go too far.
     void approach(double factor) { approach(factor, camera_.target); }
-    /// Moves the eye to this direction from the target, at the same distance. The three numbers are
-    /// steps along the axes of l3d_upright, such as (0, 0, 1) for the front. Expects: not all 0.
+    /// Moves the eye to the side of the target that a direction points to, at the same distance.
+    /// The three numbers are the direction's coordinates along the axes of l3d_upright: (0, 0, 1)
+    /// looks from the front. Expects: not all 0.
     void look_from(double right, double up, double front);
-    /// Switches between perspective and parallel projection. Returns true if it is parallel then.
+    /// Switches between perspective and parallel projection. Returns true if the new one is
+    /// parallel.
     bool switch_projection();
-    /// Moves the eye to the opposite side.
+    /// Moves the eye to the opposite side of the target.
     void look_from_opposite();
 
-    /// Makes the place under the pointer the middle of the picture, which the eye turns about.
-    /// Returns false if nothing is there.
+    /// Moves the camera so that the place seen at (x, y) becomes its target: the middle of the
+    /// picture, which the eye turns about. Returns false if no surface is at (x, y).
     bool turn_about(double x, double y);
 
-    /// The position of a place of the world in the picture, in the coordinates of rasterizers:
-    /// whole numbers are the middles of pixels. The result is nothing if the place is nearer than
-    /// the near plane.
+    /// The position in the picture of a place in the world, in the coordinates of rasterizers:
+    /// whole numbers are the middles of pixels. In perspective, the result is nothing if the place
+    /// is nearer than the near plane.
     std::optional<l3d_point_2d> position(const vector& place) const;
 
     /// Turns, moves or zooms when a button goes down, the pointer moves or the wheel turns. Returns
@@ -108,7 +118,7 @@ private:
     bool go_on(const l3d_event& motion);
     void approach(double factor, const vector& place);
     void move(double x, double y);
-    /// The place under the pointer; without a surface, at the target's depth.
+    /// The place under the pointer: on the surface there, or else at the target's depth.
     vector place_under(double x, double y) const;
     double depth_of(const vector& place) const;
     void leave_pole();
@@ -118,11 +128,12 @@ private:
     l3d_camera& camera_;
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
-    l3d_camera first_; ///< the program's own view, without a home
-    l3d_camera kept_;  ///< the view that home or frame set; camera_ differs once it was moved
-    bool is_home_ = false, is_framed_ = false; ///< whether home or frame set kept_
-    vector upright_;                           ///< the model's own, whatever the picture shows
-    vector up_; ///< the eye's axis of turning: upright_, unless rolled
+    l3d_camera first_; ///< the camera at construction: the first view if there is no home_
+    /// The camera that go_home or frame_all set; camera_ differs once it was moved.
+    l3d_camera kept_;
+    bool is_home_ = false, is_framed_ = false; ///< whether go_home or frame_all set kept_
+    vector upright_; ///< the model's direction up, even if the view is rolled or from above
+    vector up_;      ///< the axis for turn(): upright_, or another one after roll()
     double turn_speed_ = 1;
     l3d_size size_;
     drag drag_ = drag::none;
@@ -130,32 +141,32 @@ private:
     int x_ = 0, y_ = 0;
 };
 
-/// Measures the time that pictures take, and their rate, over the last second. Both are means over
-/// the same pictures, by one clock. So the mean time of a picture never exceeds the time between
-/// two.
+/// Measures how long pictures take to draw, and how many are drawn per second, over the last
+/// second. Time and rate are means over the same pictures, by one clock. So the mean time of a
+/// picture never exceeds the mean time between two pictures.
 ///
 /// A second without a picture counts as rest, and the rate begins anew with the next two pictures.
 class L3D_PUBLIC l3d_picture_pace {
 public:
     /// A clock that is never set back.
     using clock = std::chrono::steady_clock;
-    /// The type of function that tells the time.
+    /// A function that tells the time; tests pass their own.
     using teller = std::function<clock::time_point()>;
 
-    /// Measures with this clock.
+    /// Measures by the times that `now` tells.
     explicit l3d_picture_pace(teller now = clock::now) : now_(std::move(now)) {}
 
-    /// Notes that drawing begins, also of a picture that is not counted in the end.
+    /// Notes that drawing a picture begins. A picture without an end() is not counted.
     void begin();
-    /// Notes that drawing has ended, and counts the picture. Expects: begin() was called.
+    /// Notes that drawing the picture has ended, and counts it. Expects: begin() was called.
     void end();
 
-    /// The time that drawing a picture takes. Units: milliseconds. 0 before the first end().
+    /// The mean time that drawing a picture takes; 0 before the first end(). Units: milliseconds.
     double milliseconds() const;
-    /// Pictures a second. It counts from the first picture of the last second to the last begin(),
-    /// and is 0 at rest.
+    /// Pictures per second, counted from the first picture of the last second to the last begin().
+    /// It is 0 at rest.
     double per_second() const;
-    /// Both numbers as text for people. At rest it is the time alone, and "" before the first
+    /// Time and rate as text for the user. At rest it is the time alone, and "" before the first
     /// end().
     std::string text() const;
 
@@ -165,154 +176,163 @@ private:
     };
 
     teller now_;
-    std::deque<picture> done_; ///< the pictures that count
+    std::deque<picture> done_; ///< begin and end of the pictures of the last second
     clock::time_point begin_{};
-    bool follows_ = false; ///< begin_ follows done_ without a rest
+    /// Whether less than a second lies between the last picture's end and begin_.
+    bool follows_ = false;
 };
 
-/// A row of a viewer's help, with the actions of its keys.
+/// A row of a viewer's help, with the actions of the row's keys.
 struct L3D_PUBLIC l3d_viewer_row {
-    const char* keys; ///< as the help calls them
-    const char* text; ///< their effect
+    const char* keys; ///< the names of the keys in the help
+    const char* text; ///< the keys' effect, for the help
 
-    /// The action for each key, an ASCII code or l3d_key; none if the action is elsewhere.
+    /// Each key, an ASCII code or l3d_key, with its action. Empty if other code acts on the keys.
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
-/// A panel that a viewer has in its picture all the time, and its corner.
+/// A panel that a viewer shows in every picture, and the corner for it.
 struct L3D_PUBLIC l3d_standing_panel {
-    l3d_panel panel{};                            ///< empty for none
-    l3d_corner corner = l3d_corner::bottom_right; ///< where it stands
+    l3d_panel panel{}; ///< the panel; empty if there is none
+    /// The corner of the picture in which the panel stands.
+    l3d_corner corner = l3d_corner::bottom_right;
 };
 
-/// The controls of all viewers: turning and moving the eye, turntable, pause, status, help,
-/// screenshot, the end. A viewer has one such object and hands events on to it. Help and keys come
-/// from one table of rows, to which the viewer adds its own.
+/// The controls that all viewers share: turning and moving the eye, turntable, pause, status, help,
+/// screenshot, and the end. A viewer has one l3d_viewer_controls and hands events on to it. Help
+/// and keys come from one table of rows, to which the viewer adds its own rows.
 ///
-/// Calls that return a bool say whether another picture is needed.
+/// key(), pointer(), update() and rest() return whether a new picture is needed.
 /// Lives: borrows pipeline, screen and camera.
 class L3D_PUBLIC l3d_viewer_controls {
 public:
-    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. `reset` undoes the
-    /// viewer's own changes of the view, other than those of the camera; it may be empty. `viewed`
-    /// answers questions about the picture. `font` has the letters of all panels.
-    /// Expects: no key is in two rows, those of this class included.
+    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. At the key r,
+    /// `reset` undoes what the viewer's own keys changed, other than the camera; it may be empty.
+    /// `viewed` answers questions about the picture. `font` has the letters of all panels.
+    /// Expects: no key has actions in two rows; the rows of this class count, too.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
                         l3d_viewed viewed = {}, l3d_font font = {});
 
-    /// Lets the eye turn around the target by this angle per frame. If time is measured, it turns
-    /// by this angle in each 1 / fps of a second. The first frame is not turned.
+    /// Switches the turntable on: the eye turns around the target by this angle in each 1 / fps of
+    /// a second. So it turns by this angle per frame at `fps` frames a second. The first frame is
+    /// not turned.
     /// Units: degrees; frames a second.
     void set_turntable(double degrees_per_frame, double fps) {
         turntable_degrees_ = degrees_per_frame * fps;
     }
 
-    /// Sets the factor by which keys and the pointer turn more than usual. Expects: more than 0.
+    /// Sets the factor that multiplies the usual angles of turning, by keys and by drags.
+    /// Expects: factor > 0.
     void set_turn_speed(double factor) {
         turn_speed_ = factor;
         steering_.set_turn_speed(factor);
     }
 
-    /// Sets the function that the key s calls with the picture; without one the key does nothing.
-    /// The function returns a line to show, such as the file's name.
+    /// Sets the function that the key s calls with the picture, to save it; without a function the
+    /// key does nothing. The function returns a line for the viewer to show, such as the file's
+    /// name.
     void set_screenshot(std::function<std::string(const l3d_pixels&)> save) {
         save_ = std::move(save);
     }
 
-    /// Sets the function that the key g calls; without one the key does nothing. The function
-    /// returns the command-line options that show the present view again, and the viewer shows
-    /// them.
+    /// Sets the function that the key g calls; without a function the key does nothing. The
+    /// function returns the command-line options that show the present view again, and the viewer
+    /// shows them.
     void set_view_teller(std::function<std::string()> tell) { tell_view_ = std::move(tell); }
 
-    /// Sets the function that makes the first view, which the key r returns to:
-    /// l3d_view_steering::set_home.
+    /// Sets the function that makes the camera of the first view, which the key r returns to, as
+    /// l3d_view_steering::set_home does.
     void set_home(std::function<l3d_camera()> home) { steering_.set_home(std::move(home)); }
 
-    /// Shows everything along the line of sight, as the key f does.
+    /// Moves the camera, without turning it, so that the picture shows the whole model, as the key
+    /// f does.
     void frame_all() { steering_.frame_all(); }
 
-    /// Adds a program's own key to the table: below the viewer's keys, above the window's keys.
-    /// Expects: its keys are in no other row.
+    /// Adds a row for a program's own keys to the help: below the viewer's rows, and above the rows
+    /// for status, help and end.
+    /// Expects: the keys have actions in no other row.
     void add(l3d_viewer_row row);
 
-    /// Keeps panels out of a column at the left of the picture, of this many pixels.
+    /// Keeps panels out of the leftmost `pixels` columns of the picture, such as for a list of
+    /// parts.
     void set_left_margin(int pixels) { left_margin_ = pixels; }
 
-    /// Adapts the view when the picture has got another size.
+    /// Adapts the camera when the picture has got another size (l3d_view_steering::resized).
     void resized() { steering_.resized(); }
 
-    /// Learns whether Ctrl and Shift are held: called with each event, before key() or pointer().
+    /// Learns from an event whether Ctrl and Shift are held. The viewer calls it with each event,
+    /// before key() or pointer().
     void note(const l3d_event& event) {
         control_ = event.control;
         shift_ = event.shift;
     }
 
-    /// Does what the key means. Expects: an ASCII code or an l3d_key.
+    /// Does the action of a key. `key` is an ASCII code or an l3d_key.
     bool key(int key);
-    /// Turns, moves or zooms by the pointer and its wheel; sets the centre of turning, and
-    /// measures.
+    /// Turns, moves or zooms by the pointer and the wheel. A double click sets the centre of
+    /// turning; clicks with Ctrl measure distances.
     bool pointer(const l3d_event& event);
-    /// Lets time pass: the turntable turns. Units: seconds.
+    /// Lets time pass: the turntable turns, and the hint ends. Units: seconds.
     bool update(double seconds);
-    /// Whether nothing moves by itself: the turntable is off or paused.
+    /// Whether nothing in the picture moves by itself: the turntable is off or paused.
     bool is_at_rest() const { return turntable_degrees_ == 0 || paused_; }
-    /// The time until the hint ends, the only change of the picture while nothing turns; infinite
-    /// without a hint. Units: seconds.
+    /// The time until the hint ends; infinite without a hint. At rest, only the hint's end changes
+    /// the picture. Units: seconds.
     double rest_left() const {
         return hint_seconds_ > 0 ? hint_seconds_ : std::numeric_limits<double>::infinity();
     }
-    /// Lets the time of a rest pass. Returns true if the hint ends by that, so that a picture is
-    /// due. Units: seconds.
+    /// Lets the time of a rest pass. Returns true if the hint ends during this time. Units:
+    /// seconds.
     bool rest(double seconds);
-    /// Whether the user wants things to stand still, as after the key p.
+    /// Whether the user has stopped all motion by the key p or space.
     bool is_paused() const { return paused_; }
 
     /// Sets the letters of all panels.
     void set_font(l3d_font font) { font_ = std::move(font); }
 
-    /// The looks of the panels, with letters as large as the window and its display ask for.
+    /// The style of the panels, with letters of a size that suits the window and its display.
     l3d_panel_style panel_style() const;
 
-    /// Shows a hint for some seconds, or until the first key: it names the key that lists all
-    /// others.
+    /// Shows a hint, for some seconds or until the first key: that h lists all keys.
     void show_hint(double seconds) { hint_seconds_ = seconds; }
 
-    /// Shows a line until the next key. Expects: the call comes from an action of a row.
+    /// Shows a line of text until the next key. Expects: the call comes from a key's action.
     void say(std::string line) { message_ = std::move(line); }
 
-    /// Switches the headlight on or off, and says so: the effect of the key l in viewers of
-    /// surfaces.
+    /// Switches the headlight on or off, and tells the user by say(): the action of the key l in
+    /// viewers of surfaces. `is_on` is the viewer's setting.
     void switch_headlight(bool& is_on);
 
-    /// Switches between perspective and parallel projection, and says so.
+    /// Switches between perspective and parallel projection, and tells the user by say().
     void switch_projection();
 
-    /// The line of say(); "" if there is none.
+    /// The line of text of say(); "" if none is shown.
     const std::string& message() const { return message_; }
 
-    /// Tells why the picture is empty, by a text of l3d_why_unseen; "" if it is not empty. The
-    /// viewer shows the reason with the key that mends it; `key` is 0 if none does.
+    /// Tells the user why the picture is empty. `reason` is a text of l3d_why_unseen, or "" if the
+    /// picture is not empty. The text names `key`, which moves the model back into view; 0 stands
+    /// for no such key.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())
             empty_line_ += key == 0 ? "." : std::string(": press ") + key + " to see it.";
     }
 
-    /// Whether draw() draws anything.
+    /// Whether draw() draws anything, apart from `legend` and `standing`.
     bool shows_text() const {
         return status_shown_ || help_page_ > 0 || !message_.empty() || !empty_line_.empty() ||
                hint_seconds_ > 0 || !marks_.empty();
     }
 
-    /// Draws panels on top of a finished picture: status, help and message, as they are switched
-    /// on, and `legend` and `standing`, if they are not empty. They fit into every window, and none
+    /// Draws panels on top of a finished picture: status, help and message if they are switched on,
+    /// and `legend` and `standing` if they are not empty. Panels fit into every window, and none
     /// covers another. If the help finds no room, it replaces the panels in its way, except the
-    /// message. `lines` are the viewer's own lines of the status, below that of pace().
+    /// message. `lines` are the viewer's own lines of the status, below the line with the pace.
     void draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
               const l3d_panel& legend = {}, const l3d_standing_panel& standing = {}) const;
 
-    /// The pace of the viewer's pictures, for the viewer to measure.
+    /// The pace of the viewer's pictures. The viewer calls its begin() and end().
     l3d_picture_pace& pace() { return pace_; }
     /// The pace of the viewer's pictures, read-only.
     const l3d_picture_pace& pace() const { return pace_; }
@@ -332,21 +352,24 @@ private:
 
     l3d_screen& screen_;
     l3d_font font_;
-    double hint_seconds_ = 0; ///< seconds that are left
+    /// Seconds for which the hint still shows; not positive if it does not show.
+    double hint_seconds_ = 0;
     l3d_viewed viewed_;
     l3d_view_steering steering_;
     std::vector<l3d_viewer_row> rows_;
-    std::ptrdiff_t own_end_ = 0;                ///< end of the viewer's own rows
-    std::optional<l3d_pointed_place> measured_; ///< the first end of a distance
-    std::vector<l3d_camera::vector> marks_;     ///< places that were clicked on
+    std::ptrdiff_t own_end_ = 0; ///< index in rows_ behind the viewer's and the program's own rows
+    /// The place that the user clicked on to measure from.
+    std::optional<l3d_pointed_place> measured_;
+    /// The places that the user clicked on to measure, for draw_marks.
+    std::vector<l3d_camera::vector> marks_;
     bool control_ = false, shift_ = false;
     double turn_speed_ = 1;
-    double turntable_degrees_ = 0; ///< per second
+    double turntable_degrees_ = 0; ///< degrees per second; 0 if the turntable is off
     bool first_frame_ = true;
     bool paused_ = false;
     bool status_shown_ = false;
-    std::size_t help_page_ = 0; ///< the page shown, from 1; 0 for none
-    int left_margin_ = 0;       ///< pixels that panels leave free
+    std::size_t help_page_ = 0; ///< number of the page of help that is shown, from 1; 0 if none is
+    int left_margin_ = 0;       ///< width of the column that panels leave free, in pixels
     std::string message_;
     std::string empty_line_;
     l3d_picture_pace pace_;

@@ -14,12 +14,13 @@
 namespace l3d_detail {
 
 /// Draws diced surfaces as lines: the sides of all quads, and of the triangles that clipping
-/// leaves. Neighbours share one line.
+/// leaves. Neighbouring quads and triangles share the line between them.
 class wire_lines {
 public:
     explicit wire_lines(wire_picture& picture) : picture_(picture) {}
 
-    /// Draws the lines of these parts. Expects: the parts note their borders, if lines are smooth.
+    /// Draws the lines of these parts. Expects: if lines are smooth, the parts hold their border
+    /// edges.
     void draw(std::span<const l3d_surface_part* const> parts) {
         for (const l3d_surface_part* part : parts) {
             lines_.clear();
@@ -37,7 +38,7 @@ public:
     }
 
 private:
-    /// Adds the sides of all quads that are not replaced by triangles.
+    /// Adds the sides of all quads of a grid, except those that clipping replaced by triangles.
     void add_uncut(const l3d_micro_grid& g) {
         for (int r = 0; r + 1 < g.rows; ++r)
             for (int c = 0; c + 1 < g.columns; ++c) {
@@ -60,10 +61,10 @@ private:
             }
     }
 
-    /// Adds the lines along a part's four sides. If the neighbour's border along a side is noted,
-    /// it is drawn in place of the grid's own line, so that both parts draw the same line. Grid and
-    /// border differ by a part of the tolerance, and two such lines would look like one too bright
-    /// line. The triangles of the slit between them are not seen.
+    /// Adds the lines along a part's four sides. If part.border holds edges of a side, these are
+    /// drawn in place of the grid's line, so that both neighbours draw the same line. Grid and
+    /// border differ by a part of the tolerance: drawing both would look like one line that is too
+    /// bright. The thin triangles between grid and border are not drawn.
     void add_rim(const l3d_surface_part& part) {
         std::array<bool, 4> noted{};
         for (const l3d_border_edge& e : part.border) {

@@ -28,17 +28,19 @@ struct wire {
     std::int32_t x0 = 0, y0 = 0, x1 = 0, y1 = 0;
     float from_inv_w = 0, to_inv_w = 0;
 
-    /// The line between the pixels of its ends. A shift rounds down, below zero, too.
+    /// The line between the pixels in which the two ends lie. The shifts round down, even below
+    /// zero.
     l3d_line_2d sharp() const {
         return {x0 >> l3d_subpixel_bits, y0 >> l3d_subpixel_bits, x1 >> l3d_subpixel_bits,
                 y1 >> l3d_subpixel_bits};
     }
 };
 
-/// A set of lines that several neighbours may share, in either direction.
+/// A set of lines, to draw a line that neighbours share only once. Both directions of a line count
+/// as the same.
 class shared_wires {
 public:
-    /// Adds a line. Returns whether it is new.
+    /// Adds a line. Returns whether the set did not have this line before.
     bool add(const wire& w) {
         const std::uint64_t from = place(w.x0, w.y0), to = place(w.x1, w.y1);
         return seen_.insert({std::min(from, to), std::max(from, to)}).second;
@@ -55,17 +57,17 @@ private:
     std::unordered_set<ends, number_hash> seen_;
 };
 
-/// The colour of lines: light blue, seen on the dark ground and on grey surfaces.
+/// The colour of wireframes: light blue, which is seen on the dark ground and on grey surfaces.
 inline constexpr std::uint32_t wire_color = 0x0080d0ff;
 
 /// The colour of control nets: orange.
 inline constexpr std::uint32_t net_color = 0x00ff9030;
 
-/// Draws lines of one colour, sharp or smooth.
+/// Draws lines of one colour, either sharp or smooth.
 class wire_drawer {
 public:
-    /// Units: `width` in pixels: l3d_screen::text_scale, which is 1 where a display is no finer
-    ///        than usual.
+    /// Units: `width` in pixels. It is l3d_screen::text_scale: 1 on usual displays, more on finer
+    ///        ones.
     wire_drawer(l3d_rasterizer_2d& rasterizer, std::uint32_t color, bool smooth, double width)
         : rasterizer_(rasterizer), color_(color), smooth_(smooth), width_(width) {}
 
@@ -85,8 +87,8 @@ public:
     }
 
 private:
-    /// Draws wide lines with square ends. Smooth lines become one path, so that pixels under
-    /// several lines are covered once.
+    /// Draws wide lines with square ends. Smooth lines become one path, so that the colour is mixed
+    /// only once into pixels under several lines.
     void draw_wide(std::span<const wire> wires) {
         path_.clear();
         for (const wire& w : wires) {
@@ -115,14 +117,15 @@ private:
     l3d_path path_;
 };
 
-/// Draws a picture of lines that hide nothing, before a background, in fog if there is any.
+/// Draws a picture of lines alone, such as a wireframe, over a background, with fog if it is on. No
+/// line hides another.
 ///
-/// Without a background, or in fog, it first draws how much of each pixel is covered by lines. Then
-/// finish() colours the pixels by that cover (line_cover_p.h). In fog, the nearest line decides how
-/// dim a pixel is.
+/// Without a background, or in fog, draw() writes how much of each pixel lines cover. Then finish()
+/// colours the pixels by this cover (line_cover_p.h). In fog, the nearest line decides how dim a
+/// pixel is.
 class wire_picture {
 public:
-    /// Clears the picture. Units: `width` as in wire_drawer.
+    /// Starts a picture with the background alone. Units: `width` as in wire_drawer.
     wire_picture(l3d_rasterizer_2d& rasterizer, const l3d_pixels& picture,
                  const l3d_shading& shading, bool smooth, double width)
         : rasterizer_(rasterizer), picture_(picture), shading_(shading), smooth_(smooth),
@@ -143,7 +146,8 @@ public:
                 note_depths(w);
     }
 
-    /// Colours the pixels if only their cover was drawn. Afterwards the picture is complete.
+    /// Colours the pixels by their cover, without a background or in fog. Afterwards the picture is
+    /// complete.
     void finish() {
         if (!covers_)
             return;
@@ -154,7 +158,8 @@ public:
 private:
     static constexpr std::uint32_t whole_cover = 255;
 
-    /// Notes the depths along a line; along a wide line, over its width and up to its corners.
+    /// Notes the depths of the pixels along a line, for the fog. For a wide line, it notes them
+    /// over the line's width and up to its corners.
     void note_depths(const wire& w) {
         const double change = double{w.to_inv_w} - double{w.from_inv_w};
         visit_side({w.x0, w.y0, w.from_inv_w, {}}, {w.x1, w.y1, w.to_inv_w, {}}, picture_.size(),

@@ -12,7 +12,7 @@
 
 namespace {
 
-/// Least width of the column of names. A space follows it.
+/// The least width of the column of names in lists of back-ends. A space follows the column.
 constexpr int name_column = 7;
 
 std::string without_blanks_around(const std::string& text) {

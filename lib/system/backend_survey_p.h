@@ -14,8 +14,9 @@
 
 namespace l3d_detail {
 
-/// Asks each row of the table at most once whether it can serve. If a display did not answer one
-/// row, the next rows do not try it, since a silent display costs seconds.
+/// Finds which back-ends (the rows of a table) can serve here, and chooses one. It asks each row at
+/// most once. If a display did not answer one row, the next rows do not try that display, since a
+/// silent display costs seconds.
 ///
 /// Lives:   borrows the rows.
 class backend_survey {
@@ -23,36 +24,42 @@ public:
     explicit backend_survey(std::span<const l3d_backend> rows)
         : rows_(rows), services_(rows.size()) {}
 
-    /// Writes one line per row, and per variant if these are wanted: its name, whether it can
-    /// serve, and why not.
+    /// Writes one line for each row: its name, whether it can serve, and its purpose or the reason
+    /// why it cannot. Variants get lines only if `with_variants` is true.
     void list(std::ostream& out, bool with_variants);
 
-    /// Writes a line for each thing that the rows depend on, with what to do about it. A line for
-    /// each row follows.
+    /// Writes a line for each thing that the rows depend on, such as the display, with advice if it
+    /// does not work. Then follow the lines of list(), without variants.
     void diagnose(std::ostream& out);
 
-    /// Finds the row of that name, and makes sure that it can serve. `named_by` is the option or
-    /// variable that holds the name.
+    /// Finds the row of this name, and makes sure that it can serve. `named_by` is the option or
+    /// variable that the name was read from, for messages.
     ///
-    /// Errors:  l3d_error: usage if no row has the name; as fail() if the row cannot serve.
+    /// Errors:  l3d_error: usage if no row has the name; the errors of fail() if the row cannot
+    ///          serve.
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
-    /// The first automatic row that serves fully, else the first that serves. A display that was
-    /// named but cannot be opened is an error: a user who set DISPLAY wants a window.
+    /// Chooses a row without a question: the first automatic row that serves fully, else the first
+    /// automatic row that serves. If DISPLAY is set and the display cannot be opened, it throws: a
+    /// user who set DISPLAY wants a window.
     ///
-    /// Errors:  l3d_error: no_display, or no_backend with all reasons.
+    /// Errors:  l3d_error: no_display or display_lost for a display that cannot be opened;
+    ///          otherwise no_backend, with all rows' reasons.
     const l3d_backend& automatic();
 
-    /// The row that the user takes from a numbered list; null for q, which ends the program. A
-    /// wrong answer is asked again; an empty line and the end of the input take the default.
+    /// Lets the user choose a row from a numbered list. The result is null for the answer q, which
+    /// ends the program. After a wrong answer it asks again. An empty line, or the end of the
+    /// input, chooses the default row.
     ///
-    /// Errors:  l3d_error(no_backend), with all reasons, if there is nothing to choose from.
+    /// Errors:  l3d_error(no_backend), with all rows' reasons, if no row can serve.
     const l3d_backend* asked(std::istream& in, std::ostream& out);
 
-    /// Throws the error of a program that wanted `what` and got this answer.
+    /// Throws the error for a back-end that cannot serve. `what` names the back-end, and `answer`
+    /// is its reason.
     [[noreturn]] static void fail(const std::string& what, const l3d_service& answer);
 
-    /// Whether somebody sees the pictures of a row. Expects: a row of the table.
+    /// Whether the pictures of a row are seen, since the row opens windows here. Expects: a row of
+    /// the table.
     bool is_seen(const l3d_backend& row) {
         return service(static_cast<std::size_t>(&row - rows_.data())).is_seen;
     }
@@ -70,7 +77,8 @@ private:
 
     std::span<const l3d_backend> rows_;
     std::vector<std::optional<l3d_service>> services_;
-    std::optional<l3d_service> display_problem_; ///< the answer of the first row without a display
+    /// The answer of the first row whose display could not be opened.
+    std::optional<l3d_service> display_problem_;
 };
 
 } // namespace l3d_detail

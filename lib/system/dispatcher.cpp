@@ -31,10 +31,10 @@ l3d_exit l3d_dispatcher::start_with_caption() {
 
 namespace {
 
-/// Whether the pipeline gets a press as a key_event. A key with Alt or Super held is another key,
-/// and means nothing to the library; so is a letter with Ctrl. For digits and keys that are no
-/// character, any_event tells whether Ctrl is held. A modifier alone does not count as a key, nor
-/// does a key that only types.
+/// Whether the pipeline gets a press of a key as a key_event. A key with Alt or Super held, or a
+/// letter with Ctrl held, counts as another key, which has no key_event. For digits and keys that
+/// are no character, any_event tells whether Ctrl is held. Modifiers alone have no key_event, and
+/// neither have keys that only type.
 bool is_plain(const l3d_event& press) {
     if (press.key == 0 || press.key == l3d_key_shift || press.key == l3d_key_control ||
         press.key == l3d_key_alt)

@@ -16,12 +16,12 @@
 #include <utility>
 #include <vector>
 
-/// The event loop of a program. The program plugs in its pipeline and its screen, and starts the
-/// loop.
+/// The event loop of a program: turns outside events into calls of the pipeline. The program plugs
+/// in its pipeline and its screen, and starts the loop.
 ///
-/// Lives:   borrows pipeline and screen. The dispatcher is made before them (step 3 of 5), so it
-///          dies after them. A signal that ended the loop is delivered then, when everything is
-///          closed.
+/// Lives:   borrows pipeline and screen. The dispatcher is made before them (step 3 of 5), so it is
+///          destroyed after them. A signal that ended the loop is raised again then, when
+///          everything is closed.
 class L3D_PUBLIC l3d_dispatcher {
 public:
     l3d_dispatcher() = default;
@@ -29,24 +29,25 @@ public:
     l3d_dispatcher& operator=(const l3d_dispatcher&) = delete;
     virtual ~l3d_dispatcher() = default;
 
-    /// Names the pipeline to drive and the screen that it draws into. The screen is also the source
-    /// of events.
+    /// Sets the pipeline to drive, and the screen that the pipeline draws into. The screen is also
+    /// the source of events.
     void plug(l3d_pipeline& pipeline, l3d_screen& screen);
 
-    /// Sets the caption that windows show on their pictures, for some seconds and when help is
-    /// asked for.
+    /// Sets the caption that windows show on top of their pictures: for some seconds, and when the
+    /// user asks for help.
     void set_caption(l3d_caption caption) { caption_ = std::move(caption); }
 
-    /// Runs until the pipeline is done, the frames are made, or the display is lost.
+    /// Runs the loop until the pipeline is done, all frames are made, a signal asks for the end, or
+    /// the display is lost.
     ///
     /// Expects: plug() was called.
-    /// Errors: returns display_lost if the display is lost; throws l3d_error(failure) if a picture
+    /// Errors: returns display_lost if the display is lost. Throws l3d_error(failure) if a picture
     ///         cannot be written.
     l3d_exit start();
 
 protected:
-    /// Calls the pipeline as the event asks; a close event sets `done`. The caller handles expose
-    /// and display_lost, and for resize its own state.
+    /// Calls the pipeline's functions for an event; a close event sets `done`. The caller itself
+    /// handles the events expose and display_lost, and updates its own state for resize.
     static void deliver(const l3d_event& event, l3d_pipeline& pipeline);
 
 private:
@@ -68,7 +69,7 @@ public:
     virtual ~l3d_dispatcher_factory() = default;
 
     /// Makes a dispatcher with these settings.
-    /// Errors: l3d_error(usage) if the settings name an impossible output.
+    /// Errors: l3d_error(usage) if no file can have the settings' output name.
     std::unique_ptr<l3d_dispatcher> create(const l3d_frame_settings& settings) const {
         return do_create(settings);
     }
@@ -77,7 +78,8 @@ private:
     virtual std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const = 0;
 };
 
-/// Becomes the dispatcher for a window if its screen is one, else the one without a display.
+/// A dispatcher for back-ends that may or may not open a window: it makes the dispatcher for
+/// windows if its screen is one, else the one without a display.
 class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
 public:
     /// Errors:  as the constructor of l3d_frame_writer.
@@ -87,28 +89,30 @@ private:
     l3d_exit do_start(l3d_pipeline& pipeline, l3d_screen& screen) override;
 
     l3d_frame_settings settings_;
-    std::unique_ptr<l3d_dispatcher> fitting_; ///< kept until the screen is closed
+    /// The dispatcher that is used, kept until the screen is closed.
+    std::unique_ptr<l3d_dispatcher> fitting_;
 };
 
-/// Makes dispatchers for a back-end whose screens are windows where there is a display.
+/// Makes dispatchers for a back-end whose screens are windows only where there is a display.
 class L3D_PUBLIC l3d_dispatcher_factory_fitting final : public l3d_dispatcher_factory {
 private:
     /// Errors:  as the constructor of l3d_frame_writer.
     std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const override;
 };
 
-/// An event, and the frame before which it happens.
+/// An event of a script, and the frame before which the event happens.
 struct L3D_PUBLIC l3d_script_event {
     int frame = 0;   ///< the number of the frame, from 0
     l3d_event event; ///< the event
 };
 
-/// Makes frames as fast as it can, each a fixed step of time after the one before. It makes one
-/// frame if the settings give no number. The same script gives the same pictures every time.
+/// A dispatcher without a window, which replays a script of events. It makes frames as fast as it
+/// can, each a fixed step of time after the one before. If the settings give no number of frames,
+/// it makes one. The same script gives the same pictures every time.
 class L3D_PUBLIC l3d_dispatcher_script final : public l3d_dispatcher {
 public:
     /// Takes a script of events to replay.
-    /// Expects: the script in the order of its frames.
+    /// Expects: the script is sorted by its frames.
     /// Errors:  as the constructor of l3d_frame_writer.
     explicit l3d_dispatcher_script(const l3d_frame_settings& settings,
                                    std::vector<l3d_script_event> script = {});

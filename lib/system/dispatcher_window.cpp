@@ -45,7 +45,7 @@ public:
 private:
     bool frames_are_made() const { return settings_.frames > 0 && frames_ >= settings_.frames; }
 
-    /// Whether nobody would see a picture.
+    /// Whether nobody would see the next picture, so that it need not be drawn.
     bool is_unseen() const {
         return (hidden_ || screen_.is_busy()) && settings_.frames == 0 && settings_.output.empty();
     }
@@ -68,7 +68,7 @@ private:
     steady_clock::time_point last_update_;
     l3d_frame_pacer pacer_;
     int frames_ = 0;
-    bool stale_ = true; ///< the pixels hold no picture of this size yet
+    bool stale_ = true; ///< whether the pixels hold no picture of the present size yet
     bool exposed_ = false;
     bool hidden_ = false;
     bool display_lost_ = false;
@@ -112,17 +112,17 @@ void l3d_dispatcher_window::loop::handle_events() {
     }
 }
 
-/// Whether no picture is made until the next event. If frames are counted or written, each turn
-/// makes one.
+/// Whether no picture need be made until the next event. If frames are counted or written, each
+/// turn of the loop makes one.
 bool l3d_dispatcher_window::loop::rests() const {
     if (settings_.frames != 0 || !settings_.output.empty() || settings_.fixed_step)
         return false;
     return hidden_ || (!stale_ && !exposed_ && pipeline_.is_at_rest() && !pipeline_.needs_redraw());
 }
 
-/// Sleeps until the next picture is due, or until an event. update_event does not get the time of a
-/// long sleep. While nobody sees a picture it does not count, and rest() tells the pipeline how
-/// long a rest was.
+/// Sleeps until the next picture is due, or until an event. If no picture is due, update_event does
+/// not get the time of the sleep. While the window is hidden, this time does not count; otherwise
+/// rest() tells the pipeline how long it was.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());
@@ -133,7 +133,8 @@ void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     last_update_ = steady_clock::now();
 }
 
-/// Sleeps until an event, or until the pipeline wants to be woken.
+/// Sleeps until an event, or until the pipeline's rest_left() is over, and tells the pipeline how
+/// long the sleep was.
 void l3d_dispatcher_window::loop::rest(steady_clock::time_point now) {
     // The time is rounded up, since a sleep that ends a little early would be followed by one of
     // length 0.

@@ -9,11 +9,12 @@
 
 #include <optional>
 
-/// Handles all pending events, then makes a frame when one is due, and sleeps in between. A frame
-/// is drawn and shown only if the pipeline needs it or the window has a new size. The window must
-/// be visible, too, unless frames are counted or written. A window that was uncovered gets its last
-/// picture again. If the window fills the display, Escape gives it its old place and size, and only
-/// a second Escape reaches the program. The signals of l3d_signal_watch end the loop within 0.2 s.
+/// The event loop of programs with a window. It handles all pending events, makes a frame when one
+/// is due, and sleeps in between. A frame is drawn and shown only if the pipeline needs a new
+/// picture or the window has a new size. A hidden window gets no frames, unless frames are counted
+/// or written. A window that was uncovered shows its last picture again. If the window fills the
+/// display, Escape gives the window its old place and size; only a second Escape reaches the
+/// program. The signals of l3d_signal_watch end the loop within 0.2 s.
 class l3d_dispatcher_window final : public l3d_dispatcher {
 public:
     /// Errors:  as the constructor of l3d_frame_writer.
@@ -26,7 +27,8 @@ private:
 
     l3d_frame_settings settings_;
     l3d_frame_writer writer_;
-    std::optional<l3d_signal_watch> signals_; ///< kept until the screen is closed
+    /// The watch of signals, kept until the screen is closed.
+    std::optional<l3d_signal_watch> signals_;
 };
 
 /// Makes dispatchers for programs with a window.

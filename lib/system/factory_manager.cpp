@@ -23,7 +23,7 @@
 
 namespace {
 
-/// A back-end for the table. Its flags are set by the caller.
+/// Makes a back-end for the table from its three factories. The caller sets its flags.
 template <class ScreenFactory, class RasterizerFactory, class DispatcherFactory>
 l3d_backend row(std::string name, std::string purpose) {
     l3d_backend made;
@@ -35,13 +35,13 @@ l3d_backend row(std::string name, std::string purpose) {
     return made;
 }
 
-/// The value of an environment variable. It is empty if there is none.
+/// The value of an environment variable; empty if the variable is not set.
 std::string environment(const char* variable) {
     const char* const value = std::getenv(variable);
     return value ? value : "";
 }
 
-/// The back-end that a user or the program has named; empty if nobody has.
+/// The name of the back-end that the user or the program wants; empty if neither names one.
 std::string wanted_name(const l3d_common_options& common) {
     std::string name = common.backend.empty() ? environment("L3D_BACKEND") : common.backend;
     return name.empty() ? common.usual_backend : name;

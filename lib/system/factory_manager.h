@@ -16,27 +16,29 @@
 
 class l3d_options;
 
-/// One row of the table: a way to show pictures.
+/// A back-end, a way to show pictures: one row of the table of l3d_factory_manager.
 struct L3D_PUBLIC l3d_backend {
-    std::string name;          ///< the word that --backend takes
-    std::string purpose;       ///< its use, in a few words
-    bool automatic = false;    ///< taken without a question if it is the first that can serve
-    bool on_display = false;   ///< it needs a display
-    bool unseen = false;       ///< nobody sees its pictures unless --output names a file
-    bool writes_files = false; ///< it writes its pictures to files itself
-    /// Whether the row only adds a wish to another row, as mesa:egl does to mesa. Lists show such a
-    /// row, and the prompt does not.
+    std::string name;    ///< the back-end's name, as --backend takes it
+    std::string purpose; ///< the back-end's use, in a few words
+    /// Whether it is taken without a question if it is the first that can serve.
+    bool automatic = false;
+    bool on_display = false;   ///< whether it needs a display
+    bool unseen = false;       ///< whether nobody sees its pictures unless --output names a file
+    bool writes_files = false; ///< whether it writes its pictures to files itself
+    /// Whether the row is a variant of another row, as mesa:egl is of mesa. The list of
+    /// --list-backends has such a row; the prompt does not.
     bool variant = false;
-    std::unique_ptr<l3d_screen_factory> screen_factory;               ///< makes its screens
-    std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory; ///< canvases share it
+    std::unique_ptr<l3d_screen_factory> screen_factory; ///< makes the back-end's screens
+    /// Makes its rasterizers; canvases share the factory.
+    std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory;
     std::unique_ptr<l3d_dispatcher_factory>
-        dispatcher_factory; ///< makes the loop that drives programs on it
+        dispatcher_factory; ///< Makes the event loops of programs on this back-end.
 };
 
-/// Knows every back-end, asks each whether it can serve here, and takes one.
+/// Knows every back-end in a table, asks each whether it can serve here, and chooses one.
 ///
-/// No other place names concrete kinds of back-ends. The manager is not a global: each program has
-/// one in main.
+/// No other place in the library names concrete kinds of back-ends. The manager is no global
+/// object: each program has one in main.
 class L3D_PUBLIC l3d_factory_manager {
 public:
     /// Makes the rows of the library: xshm, ximage, mesa and its variants mesa:egl and mesa:osmesa,
@@ -46,25 +48,28 @@ public:
     l3d_factory_manager& operator=(const l3d_factory_manager&) = delete;
     ~l3d_factory_manager();
 
-    /// Adds a row at the end. Expects: all three factories; a name that no row has.
+    /// Adds a row at the end of the table. Expects: the row has all three factories, and a name
+    /// that no other row has.
     void add(l3d_backend row);
 
-    /// Takes the back-end named by --backend, else by the environment's L3D_BACKEND, else by the
-    /// program itself. If none is named, it asks at a terminal, and elsewhere takes the first
-    /// automatic row that can serve. If nobody would see the pictures, stderr gets a line about it.
-    /// Then the output becomes `program`.png, unless the back-end was named and shows nothing.
+    /// Chooses the back-end that --backend names, else the variable L3D_BACKEND, else the program
+    /// itself. If none of these names one, it asks the user at a terminal. Without a terminal it
+    /// takes the first automatic row that can serve. If nobody would see the pictures, stderr gets
+    /// a line that says so. In this case --output becomes `program`.png, unless the user named a
+    /// back-end that shows nothing.
     ///
-    /// Returns: false if the program ends well without pictures: --list-backends or --diagnose was
-    ///          answered, or the answer at the prompt was q.
+    /// Returns: false if the program has nothing more to do: --list-backends or --diagnose was
+    ///          answered, or the user answered q at the prompt.
     ///
-    /// Errors:  l3d_error: usage for an unknown name; no_display if no display can be opened
-    ///          (naming DISPLAY and its value); no_backend, with all reasons, otherwise.
+    /// Errors:  l3d_error: usage for an unknown name; no_display, with DISPLAY's value, if no
+    ///          display can be opened; otherwise no_backend, with all reasons.
     bool choose(l3d_options& options);
 
-    /// As above, with the prompt's streams given; `may_ask` says whether both are a terminal.
+    /// As choose(options), with the streams of the prompt. `may_ask` says whether the user may be
+    /// asked, since both streams are a terminal.
     bool choose(l3d_options& options, std::istream& in, std::ostream& out, bool may_ask);
 
-    /// The row that choose() took. Expects: choose() was true.
+    /// The row that choose() took. Expects: choose() returned true.
     const l3d_backend& chosen() const;
 
     /// Makes a screen of the chosen back-end.
@@ -72,8 +77,8 @@ public:
     /// Errors:  l3d_error with the reason: display_lost or no_backend.
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
-    /// Makes a window for a notice that is shown before choose(). It is of the first automatic kind
-    /// that can serve.
+    /// Makes a window for a notice that is shown before choose(), such as on a long reading. The
+    /// window is that of the first automatic back-end that can open one.
     /// Errors:  null if the options or the environment name a back-end without a window, or if no
     ///          window opens.
     std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,

@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <chrono>
 
-/// Sets deadlines on a fixed grid of times, so that one late frame does not make all others late. A
-/// deadline that was missed is dropped, not caught up with.
+/// Tells when the next frame is due. Deadlines lie on a fixed grid of times, so that one late frame
+/// does not make all others late. A deadline that was missed is dropped.
 class l3d_frame_pacer {
 public:
     using clock = std::chrono::steady_clock;
 
-    /// Takes the rate of frames, of which the first is due at `start`.
+    /// Takes the rate of frames. The first frame is due at `start`.
     /// Units:   frames per second; 0: no limit.
     l3d_frame_pacer(double fps, clock::time_point start)
         : period_(fps > 0 ? seconds(std::min(1 / fps, longest_period)) : clock::duration::zero()),
@@ -20,8 +20,9 @@ public:
 
     clock::time_point due() const { return due_; }
 
-    /// Notes a frame that is done at `now`. Without a limit, the next frame is due at once. It is
-    /// due in 1/60 s if this frame drew nothing (`idle`): waiting must not cost a whole processor.
+    /// Notes that a frame was done at `now`. Without a limit of the rate, the next frame is due at
+    /// once. But if this frame drew nothing (`idle`), the next one is due in 1/60 s, since waiting
+    /// must not take a whole processor.
     void frame_done(clock::time_point now, bool idle) {
         if (period_ == clock::duration::zero()) {
             due_ = idle ? now + seconds(1.0 / 60) : now;

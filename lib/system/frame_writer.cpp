@@ -39,16 +39,16 @@ void check_ending(const std::string& name, l3d_alpha alpha) {
         refuse(name, no_transparency);
 }
 
-/// A number field of printf at the beginning of a text, as %d, %04d or %-4ld. It is empty if there
-/// is none.
+/// The number field of printf at the beginning of a text, such as %d, %04d or %-4ld; empty if the
+/// text begins otherwise.
 std::string_view field_at_front(std::string_view text) {
     const std::size_t end = text.find_first_not_of("0123456789+-l", 1);
     return text.starts_with('%') && end != text.npos && text[end] == 'd' ? text.substr(0, end + 1)
                                                                          : std::string_view();
 }
 
-/// Lets `write` make the file l3d-0001 with an ending, or the first numbered file that does not
-/// exist. Returns the text for the user.
+/// Lets `write` make a new file: l3d-0001 with this ending, or the first further number for which
+/// no file exists. Returns a line for the user.
 std::string save_as_new(const std::string& ending,
                         const std::function<void(const std::string& name)>& write) {
     std::error_code unknown; // on an error, the user is told the name alone
@@ -90,8 +90,8 @@ l3d_frame_writer::l3d_frame_writer(const std::string& name, l3d_alpha alpha) : a
     l3d_detail::check_folder("--output", name, file_name(0));
 }
 
-/// Reads the file name, which may have one number field. A percent sign stands for itself unless it
-/// begins a number field, so most names need no double percent sign.
+/// Reads a name of files, which may have one number field. A percent sign stands for itself unless
+/// it begins a number field, so most names need no double percent sign.
 void l3d_frame_writer::read_pattern(std::string_view name) {
     for (std::size_t at = 0; at < name.size();) {
         const std::string_view rest = name.substr(at), field = field_at_front(rest);
@@ -123,7 +123,8 @@ std::string l3d_frame_writer::file_name(int number) const {
     return before_ + digits + after_;
 }
 
-/// Whether a file holds some frame: its name has a frame's number in place of the field.
+/// Whether some frame is written to `file`: whether its name is that of a frame, with a number in
+/// place of the number field.
 bool l3d_frame_writer::has_frame_in(const std::string& file) const {
     if (kind_ == kind::single)
         return l3d_detail::mean_one_file(before_, file);

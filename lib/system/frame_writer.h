@@ -16,39 +16,41 @@
 #include <string>
 #include <string_view>
 
-/// Writes the frames of a program to files. Their name says which frames:
-/// - "" writes nothing;
-/// - name.png or name.ppm gets the last frame;
-/// - name%04d.png gives every frame a file, numbered from 0 (also %d, %5d, %05d);
+/// Writes the frames of a program to files. The name of --output says which frames.
+/// - "" writes nothing.
+/// - name.png or name.ppm gets the last frame.
+/// - name%04d.png gives every frame a file, numbered from 0 (also %d, %5d, %05d).
 /// - "-" gives every frame, as a stream of PPM pictures on the standard output.
 ///
 /// Any other percent sign is a part of the name, and %% stands for one.
 class L3D_PUBLIC l3d_frame_writer {
 public:
-    /// Opens nothing yet.
-    /// Errors:  l3d_error: usage for a name of none of these kinds, and with alpha for any name but
-    ///          .png; failure for a missing folder.
+    /// Takes the name, and opens no file yet.
+    /// Errors:  l3d_error: usage for a name of none of these kinds, or if `alpha` is transparency
+    ///          and the name does not end in .png; failure for a missing folder.
     explicit l3d_frame_writer(const std::string& name, l3d_alpha alpha = l3d_alpha::none);
 
-    /// Takes a finished frame. Errors: l3d_error(failure) that names the file.
+    /// Takes a finished frame, and writes it if the name asks for every frame.
+    /// Errors: l3d_error(failure) that names the file.
     void frame(const l3d_pixels& pixels);
 
-    /// Counts the next frame, whose picture is not wanted.
+    /// Counts a frame whose picture is not wanted, so that the next frame gets the next number.
     void skip_frame() { ++next_number_; }
 
     /// Whether each frame has a file of its own.
     bool is_numbered() const { return kind_ == kind::numbered; }
 
-    /// Whether a frame goes into the file of this name. If the name is a link, the file is the one
-    /// that it leads to.
+    /// Whether some frame is written to the file of this name. A link stands for the file that it
+    /// leads to.
     bool has_frame_in(const std::string& file) const;
 
-    /// Whether the next frame's file is there, whole and of this size. A disk may have lost a part
-    /// of the file, and a picture of another size is no frame of this sequence.
+    /// Whether the next frame's file exists, is whole, and has a picture of this size. A program
+    /// that was stopped may have left a part of a file. A picture of another size is no frame of
+    /// this sequence.
     bool has_frame(l3d_size size) const;
 
-    /// Writes the last frame, if the name asks for that alone. Call it when no other frame will
-    /// follow.
+    /// Writes `pixels`, the last frame, if the name asks for the last frame alone. Call it when no
+    /// other frame will follow.
     /// Errors:  as frame().
     void finish(const l3d_pixels& pixels);
 
@@ -60,17 +62,18 @@ private:
 
     l3d_alpha alpha_ = l3d_alpha::none;
     kind kind_ = kind::nothing;
-    std::string before_, after_; ///< the name around its number; without one, `before_` is all
-    std::size_t digits_ = 0;     ///< the number's least width
+    /// The name before and after its number; a name without a number is `before_`.
+    std::string before_, after_;
+    std::size_t digits_ = 0; ///< least number of digits of the number
     char fill_ = ' ';
     int next_number_ = 0;
 };
 
-/// Writes a report line by line, so that a program that is stopped leaves whole lines behind.
+/// Writes a report line by line, so that a program that is stopped leaves only whole lines behind.
 class L3D_PUBLIC l3d_report_writer {
 public:
-    /// Opens the file of this name. If the name is -, lines go to the standard output: earlier
-    /// output stays, and the output of others may come in between.
+    /// Opens the file of this name, and empties it. If the name is -, lines go to the standard
+    /// output, where other output may stand before and between them.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
     l3d_report_writer(const l3d_report_writer&) = delete;
@@ -84,10 +87,11 @@ private:
 
     std::string path_;
     std::ofstream file_;
-    std::ostream* out_; ///< the file or the standard output
+    std::ostream* out_; ///< the stream for lines: file_ or the standard output
 };
 
-/// The settings with which a dispatcher is made.
+/// The settings with which a dispatcher is made: which frames to make, when, and where to write
+/// them.
 struct L3D_PUBLIC l3d_frame_settings {
     /// The number of frames. 0 means one frame without a display; with a window, frames go on until
     /// the pipeline is done.
@@ -97,38 +101,37 @@ struct L3D_PUBLIC l3d_frame_settings {
     /// Expects: less than `frames`, or 0.
     int first_frame = 0;
 
-    /// Whether frames whose file is there already are left out, too.
+    /// Whether frames whose file exists already are left out, too (l3d_frame_writer::has_frame).
     bool resume = false;
 
-    /// Frames per second; 0: as many as possible; empty: the screen's choice.
+    /// Frames per second. 0 stands for as many as possible; nothing for the screen's choice.
     std::optional<double> fps;
 
-    /// Whether update_event gets 1 / fps instead of the measured time, which makes the pictures of
-    /// a window repeatable. Without a display, update_event always gets this.
+    /// Whether update_event gets step() instead of the measured time, so that a window shows the
+    /// same pictures in each run. Without a display, update_event always gets step().
     bool fixed_step = false;
 
-    /// A name for l3d_frame_writer; empty: nothing is written.
+    /// The name of files for l3d_frame_writer; empty if nothing is to be written.
     std::string output;
 
-    /// Whether the written files have alpha.
+    /// Whether written files hold transparency.
     l3d_alpha alpha = l3d_alpha::none;
 
-    /// The text that lines on stderr begin with.
+    /// The program's name, with which lines on stderr begin.
     std::string program = "l3d";
 
-    /// The time from frame to frame where it is not measured, in seconds. It is the same for every
-    /// screen, so that all screens show the same pictures.
+    /// The time from frame to frame if it is not measured, in seconds: 1 / fps, or 1/60 if fps is 0
+    /// or nothing. It does not depend on the screen, so that all screens show the same pictures.
     double step() const { return 1 / (fps && *fps > 0 ? *fps : 60); }
 };
 
-/// Writes a picture as l3d-0001.png, or as the first such name that is free. An existing file is
-/// never replaced. Returns a line that says where the file is, or why there is none: a full disk
-/// must not end a program.
+/// Writes a picture to a new file in the current folder: l3d-0001.png, or the first further number
+/// that is free. It never replaces a file. Returns a line for the user that says where the file is.
+/// If writing fails, the line says why, and nothing is thrown: a full disk must not end a program.
 L3D_PUBLIC std::string l3d_save_screenshot(const l3d_pixels& pixels);
 
-/// Writes surfaces as l3d-0001.obj, or as the first such name that is free
-/// (l3d_write_obj_surfaces).
-/// Returns a line as l3d_save_screenshot does.
+/// Writes surfaces to a new file in the current folder: l3d-0001.obj, or the first further number
+/// that is free (l3d_write_obj_surfaces). Returns a line for the user, as l3d_save_screenshot does.
 L3D_PUBLIC std::string l3d_save_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 
 #endif

@@ -13,9 +13,9 @@
 
 namespace l3d_detail {
 
-/// A small window with the name of the file that is read, and the share that is done. It opens
-/// after half a second, and only for programs that will show a window and whose messages go to no
-/// terminal. On a terminal, long_work and stop_key do the same.
+/// A small window that shows the name of the file that is being read, and the share that is done.
+/// It opens after half a second, and only if the program will show a window and its messages do not
+/// go to a terminal. At a terminal, long_work and stop_key do this work.
 ///
 /// Lives: borrows the factories and the options.
 class load_window {
@@ -23,8 +23,9 @@ public:
     load_window(const l3d_factory_manager& factories, const l3d_options& options)
         : factories_(factories), options_(options) {}
 
-    /// Shows the share, from 0 to 1. At 1 the window closes. Returns false once the user has closed
-    /// the window, or has pressed Escape or q in it.
+    /// Shows the share of the file that is read, from 0 to 1. At 1 the window closes. Returns
+    /// false, to stop reading, once the user has closed the window, or has pressed Escape or q in
+    /// it.
     bool goes_on(const std::string& file, double share);
 
 private:
@@ -39,7 +40,7 @@ private:
     const l3d_options& options_;
     clock::time_point begin_ = clock::now();
     bool is_tried_ = false, is_stopped_ = false;
-    std::string shown_; ///< the time and share that are shown; empty if nothing is
+    std::string shown_; ///< the time and share that the window shows; empty if it must be drawn
     std::unique_ptr<l3d_screen> screen_;
     l3d_font font_;
 };

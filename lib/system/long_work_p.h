@@ -20,16 +20,19 @@
 
 namespace l3d_detail {
 
-/// While it lives, writes "reading a.obj", then "reading a.obj, 1 s" and so on over the same line,
-/// and erases the line at the end. Work of less than half a second writes nothing.
+/// Tells at a terminal that long work goes on. While the object lives, it writes "reading a.obj",
+/// then "reading a.obj, 1 s" and so on over the same line. At the end it erases the line. For work
+/// of less than half a second it writes nothing.
 ///
-/// The work needs no calls for this: a thread of its own counts the seconds. Where the system makes
-/// no more threads, nothing is written.
-/// Lives:   borrows the stream, which nobody else writes to meanwhile.
+/// The work itself calls nothing: a thread of this object's own counts the seconds. If the system
+/// gives no thread, nothing is written.
+/// Lives:   borrows the stream. Nobody else may write to the stream meanwhile.
 class long_work {
 public:
-    /// `is_shown`: whether the stream is a terminal.
-    /// Units:   milliseconds until the first line, and from each line to the next.
+    /// Starts telling of the work `what`. `is_shown` says whether the stream is a terminal; if not,
+    /// nothing is written.
+    /// Units:   `first` and `period`: milliseconds until the first line, and from each line to the
+    ///          next.
     long_work(std::ostream& out, bool is_shown, std::string what,
               std::chrono::milliseconds first = std::chrono::milliseconds(500),
               std::chrono::milliseconds period = std::chrono::seconds(1))
@@ -46,7 +49,8 @@ public:
     long_work& operator=(const long_work&) = delete;
     ~long_work() = default; // ends the thread
 
-    /// Tells from now on which share of the work is done, from 0 to 1, as a percentage.
+    /// Sets the share of the work that is done, from 0 to 1. Lines tell it as a percentage from now
+    /// on.
     void set_share(double share) { share_ = share; }
 
 private:
@@ -76,11 +80,12 @@ private:
 
     std::ostream& out_;
     std::string what_;
-    std::atomic<double> share_ = -1; ///< negative: nobody knows
+    std::atomic<double> share_ = -1; ///< share of the work that is done; negative if it is unknown
     std::jthread teller_;
 };
 
-/// Tells on the standard error what is done to a file: "reading" and the file's name.
+/// Tells on the standard error what is being done to a file: `doing`, such as "reading", and the
+/// file's name. It tells this as long as the result lives.
 inline long_work tell_work(const std::string& doing, const std::string& file) {
     return {std::cerr, isatty(STDERR_FILENO) != 0, doing + ' ' + printable(file)};
 }

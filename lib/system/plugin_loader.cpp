@@ -29,7 +29,7 @@ struct l3d_plugin_object {
     l3d_object* object;
     std::string program, file, folder;
     l3d_random random;
-    std::string complaint{}; ///< the first complaint
+    std::string complaint{}; ///< the plug-in's first complaint
 
     void complain(const std::string& text) {
         if (complaint.empty())
@@ -43,7 +43,7 @@ constexpr std::uint32_t most_transforms = 16;
 
 // ---- what the host does ------------------------------------------------------------------------
 
-/// The number that bounds all numbers of a type, up to rounding.
+/// The number that bounds the absolute values of all numbers of type T, up to rounding.
 template <class T> constexpr double end_of() {
     if constexpr (std::floating_point<T>)
         return std::numeric_limits<T>::max();
@@ -51,8 +51,8 @@ template <class T> constexpr double end_of() {
         return l3d_to_double(T::max());
 }
 
-/// Whether a plug-in's double fits this build's numbers. If it does not, or is NaN, it would wrap
-/// or be infinite.
+/// Whether a plug-in's double fits l3d_real. A number that does not fit would wrap round or be
+/// infinite. It is false for NaN.
 bool is_in_range(double value) {
     return std::abs(value) < end_of<l3d_real>();
 }
@@ -78,8 +78,8 @@ int set_polygons(l3d_plugin_object* to, std::uint32_t vertices, const double* co
     return 1;
 }
 
-/// Gives the object the polygons of a file. With `videoscape_only`, files of other formats are
-/// refused.
+/// Gives a plug-in's object the polygons of a file. With `videoscape_only`, files of other formats
+/// are refused. Returns 1, or 0 after a complaint.
 int load(l3d_plugin_object* to, const char* file, bool videoscape_only, bool random_colors) {
     const auto path = (std::filesystem::path(to->folder) / file).string();
     try {
@@ -167,7 +167,8 @@ const l3d_plugin_host host{sizeof(l3d_plugin_host),
 
 // ---- the library -------------------------------------------------------------------------------
 
-/// Owns an open shared library. The system counts how often a library is open.
+/// Owns an open shared library. A library that several objects open stays until the last one closes
+/// it.
 class library {
 public:
     explicit library(const std::string& file)
@@ -191,8 +192,8 @@ private:
     void* handle_;
 };
 
-/// The fault of a library; empty if there is none. If it did not open, the system's own words
-/// follow the file's name.
+/// The reason why a library is no usable plug-in; empty if it is one. If the library did not open,
+/// the reason has the system's own words after the file's name.
 std::string fault_of(const library& opened, const std::string& file) {
     if (!opened.is_open()) {
         const std::string words = dlerror();
@@ -214,10 +215,11 @@ std::string fault_of(const library& opened, const std::string& file) {
     return {};
 }
 
-/// An object's behaviour by a plug-in. It owns the plug-in's data, and the library with its code.
+/// The behaviour of an object that has a plug-in. It owns the plug-in's data for the object, and
+/// the library with the plug-in's code.
 class plugged_behaviour final : public l3d_object_behaviour {
 public:
-    /// Expects: the file is a plug-in without a fault, see fault_of().
+    /// Expects: the file is a plug-in for which fault_of() is empty.
     explicit plugged_behaviour(l3d_plugin_object context)
         : library_(context.file), context_(std::move(context)) {}
     ~plugged_behaviour() override {

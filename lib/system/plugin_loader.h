@@ -13,24 +13,25 @@
 #include <string>
 #include <utility>
 
-/// Loads object plug-ins: shared libraries with the interface of object_plugin.h. This interface is
-/// C, has a version, and does not depend on how l3d itself was built.
+/// Makes objects whose behaviour comes from plug-ins: shared libraries with the interface of
+/// object_plugin.h. This interface is in C, has a version, and does not depend on how l3d itself
+/// was built.
 ///
-/// Lives:   the objects do not need the loader. Each holds its library, which is closed with the
-///          last object that holds it.
+/// Lives:   the objects do not need the loader. Each object holds its plug-in's library, which is
+///          closed with the last such object.
 class L3D_PUBLIC l3d_plugin_loader {
 public:
-    /// A loader whose lines on stderr begin with `program`. `seed` begins the random numbers of
-    /// plug-ins, and `folder` is where they look for relative names of files.
+    /// Makes a loader. `program` begins its lines on stderr. `seed` starts the random numbers for
+    /// plug-ins. Plug-ins look for relative names of files in `folder`.
     l3d_plugin_loader(std::string program, std::uint64_t seed, std::string folder = ".")
         : program_(std::move(program)), folder_(std::move(folder)), random_(seed) {}
 
-    /// Makes an object that the plug-in in `file` has set up with these parameters.
+    /// Makes an object, which the plug-in in `file` sets up by these parameters.
     ///
-    /// Errors: null, and `why` = "file: reason". There may be no such file, or it is no shared
-    ///         library, or it has no symbol l3d_plugin. The symbol may be of another version, too
-    ///         short, or lack a function. The plug-in may refuse, with its own reason. A later
-    ///         fault of the plug-in gives one line on stderr, once.
+    /// Errors: null, and `why` gets "file: reason". The file may be missing, may be no shared
+    ///         library, or may have no symbol l3d_plugin. The symbol's structure may be of another
+    ///         version, be too short, or lack a function. The plug-in may refuse, with its own
+    ///         reason. Later faults of the plug-in give one line on stderr, once.
     std::unique_ptr<l3d_object> load(const std::string& file, const std::string& parameters,
                                      std::string& why);
 
@@ -39,16 +40,18 @@ private:
     l3d_random random_;
 };
 
-/// The folder of plug-ins. It is ../lib/l3d, seen from the program's own folder, if that exists. So
-/// programs that were built or installed with l3d find it wherever they were moved. Otherwise it is
-/// lib/l3d in the prefix that l3d was built for.
+/// The folder of plug-ins: ../lib/l3d, seen from the program's own folder, if this folder exists.
+/// So programs that were built or installed with l3d find their plug-ins wherever they are moved
+/// together. Otherwise the result is lib/l3d in the prefix that l3d was built for.
 L3D_PUBLIC std::string l3d_plugin_folder();
 
-/// The folder of models and other data: ../share/l3d, found as l3d_plugin_folder finds its own.
+/// The folder of models and other data: ../share/l3d, seen from the program's own folder, or
+/// share/l3d in the prefix, as for l3d_plugin_folder.
 L3D_PUBLIC std::string l3d_data_folder();
 
-/// The file that a user means by the name of a model. It is the file of that name, else the one in
-/// the data folder, with or without its ending. If there is neither, the name is returned as it is.
+/// The file that a user means by the name of a model: the file of this name, else the file in the
+/// data folder with this name, with or without its ending. If neither exists, the result is the
+/// name itself.
 L3D_PUBLIC std::string l3d_data_file(const std::string& name);
 
 #endif

@@ -11,9 +11,10 @@
 
 namespace l3d_detail {
 
-/// Makes a frame once the pipeline is up to date. It draws a picture if the pixels are stale or the
-/// pipeline asks for it, and shows the changed pixels. The writer gets the pixels in any case,
-/// since a numbered sequence has a file for every frame. Returns whether a picture was drawn.
+/// Makes a frame, after the pipeline's events and update. It draws a picture if the screen's pixels
+/// are `stale` or the pipeline needs a new picture, and shows the changed pixels. The writer gets
+/// the pixels in any case, since a numbered sequence has a file for every frame. Returns whether a
+/// picture was drawn.
 ///
 /// Errors:  as l3d_frame_writer::frame.
 inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer& writer,
@@ -36,13 +37,15 @@ inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer
     return drawn;
 }
 
-/// Whether frame number `frame`, the writer's next, needs no picture.
+/// Whether frame number `frame`, the next one for the writer, needs no picture: it comes before the
+/// first wanted frame, or its file exists and the settings say resume.
 inline bool only_passes(int frame, const l3d_frame_settings& settings,
                         const l3d_frame_writer& writer, l3d_size size) {
     return frame < settings.first_frame || (settings.resume && writer.has_frame(size));
 }
 
-/// Lets a frame pass whose picture is not wanted. Returns whether the pixels are stale afterwards.
+/// Lets a frame pass whose picture is not wanted. Returns whether the screen's pixels are stale
+/// afterwards, since the frame was not drawn.
 inline bool skip(l3d_pipeline& pipeline, l3d_frame_writer& writer, bool stale) {
     writer.skip_frame();
     if (pipeline.skip_event())

@@ -9,15 +9,17 @@
 
 namespace l3d_detail {
 
-/// Writes "program: frame 120 of 5000" over the same line once a second, and erases the line at the
-/// end. A run of less than a second writes nothing.
+/// Shows at a terminal how far a long run without a window is. It writes "program: frame 120 of
+/// 5000" over the same line once a second, and erases the line at the end. For a run of less than a
+/// second it writes nothing.
 ///
 /// Lives:   borrows the stream.
 class progress {
 public:
     using clock = std::chrono::steady_clock;
 
-    /// `is_shown` tells whether the stream is a terminal. Units: frames of the whole run.
+    /// Starts a run of `frames` frames. `is_shown` says whether the stream is a terminal; if not,
+    /// nothing is written.
     progress(std::ostream& out, bool is_shown, std::string program, int frames,
              clock::time_point start)
         : out_(out), is_shown_(is_shown), program_(std::move(program)), frames_(frames),
@@ -29,7 +31,7 @@ public:
             out_ << erase << std::flush;
     }
 
-    /// Notes that this number of frames is done at the time `now`.
+    /// Notes that so many frames of the run are done at the time `now`.
     void done(int frames, clock::time_point now) {
         if (!is_shown_ || now < next_)
             return;
@@ -40,13 +42,14 @@ public:
 
 private:
     static constexpr std::chrono::seconds period{1};
-    static constexpr const char* erase = "\r\x1b[K"; ///< to the line's start, and all after it
+    /// Goes to the line's start and erases the line.
+    static constexpr const char* erase = "\r\x1b[K";
 
     std::ostream& out_;
     bool is_shown_;
     std::string program_;
     int frames_;
-    clock::time_point next_; ///< when the line may be written again
+    clock::time_point next_; ///< the time from which the line may be written again
     bool is_written_ = false;
 };
 

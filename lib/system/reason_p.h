@@ -8,8 +8,9 @@
 
 namespace l3d_detail {
 
-/// The reason of a failure, in words for users. The library's own errors carry such a reason.
-/// Errors of the standard library name its functions and types, which help no user.
+/// The reason of an error, in words for users. l3d's own errors have such words. Errors of the
+/// standard library name C++ functions and types, which help no user, so this function describes
+/// them itself.
 std::string reason_of(const std::exception& error);
 
 } // namespace l3d_detail

@@ -15,11 +15,12 @@
 
 namespace {
 
-/// The signals of keys, of a request to end, and of a terminal that is closed.
+/// The watched signals: those of the keys Ctrl+C and Ctrl+\, of a request to end, and of a terminal
+/// that is closed.
 constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
-/// The last signal, or 0, and the writing end of a pipe that wakes a sleeper. A handler may only
-/// touch variables such as these.
+/// The signal that came last, or 0; and the writing end of a pipe that wakes a loop. They are
+/// global atomic variables, since a signal handler may only touch such variables.
 std::atomic<int> noted = 0, bell = -1;
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -31,8 +32,8 @@ extern "C" void note_signal(int signal) {
     errno = error;
 }
 
-/// While it lives, threads that begin get no signals. So signals go to the thread that waits for
-/// events.
+/// While an object of this class lives, threads that are started get no signals. So signals go to
+/// the thread that waits for events.
 class signals_held {
 public:
     signals_held() {
@@ -50,8 +51,8 @@ private:
 
 } // namespace
 
-/// Waits for a signal, and then some seconds for the end of the watch. If the watch does not end,
-/// ends the process by the signal.
+/// Waits for a signal, and then five seconds for the end of the watch. If the watch does not end in
+/// this time, raises the signal again, which ends the process.
 void l3d_signal_watch::end_what_takes_too_long() const {
     constexpr int patience = 5000; // milliseconds: a large picture is written in two seconds
     std::array<pollfd, 2> news{pollfd{waker_, POLLIN, 0}, pollfd{over_, POLLIN, 0}};

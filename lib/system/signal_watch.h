@@ -7,17 +7,18 @@
 #include <csignal>
 #include <thread>
 
-/// While a watch lives, the first signal of each kind is only noted. A second one of the same kind
-/// acts as it did before, for a program that hangs. When the watch dies, the signals' old actions
-/// are restored, and the noted signal is raised: the parent process sees a death by that signal. A
+/// Lets the signals SIGINT, SIGQUIT, SIGTERM and SIGHUP end a loop in good order. While a watch
+/// lives, the first signal of each kind is only noted. A second signal of the same kind acts as
+/// without a watch, for a program that hangs. When the watch is destroyed, it restores the signals'
+/// old actions and raises the noted signal. So the parent process sees a death by this signal. A
 /// signal that was ignored (as by nohup) stays ignored.
 ///
-/// The watching program has five seconds to end in good order. After that the signal acts as a
-/// second one would, whatever loop the program is in. Unfinished files do no harm, since files have
-/// no names before they are complete.
+/// After a signal, the program has five seconds to end in good order. Then the signal acts as a
+/// second one would, whatever the program does. Unfinished files do no harm, since files have no
+/// names before they are complete.
 ///
-/// Signal handlers are a property of the process: this is the library's only such state.
-/// Expects: at most one at a time.
+/// Signal handlers belong to the whole process: they are the library's only state of this kind.
+/// Expects: at most one watch at a time.
 class l3d_signal_watch {
 public:
     l3d_signal_watch();
@@ -25,11 +26,11 @@ public:
     l3d_signal_watch& operator=(const l3d_signal_watch&) = delete;
     ~l3d_signal_watch();
 
-    /// Whether one of the signals came.
+    /// Whether one of the signals came during the watch.
     bool caught() const;
 
-    /// A file that can be read once one of the signals came, so that a loop can sleep until then.
-    /// It is -1 if the system has no more files.
+    /// A file descriptor that becomes readable when one of the signals comes, so that a loop can
+    /// sleep until then. It is -1 if the system has no more descriptors.
     /// Lives:   as long as the watch.
     int waker() const { return waker_; }
 
@@ -37,7 +38,7 @@ private:
     void end_what_takes_too_long() const;
 
     int waker_ = -1;
-    int over_ = -1; ///< readable when the watch is over
+    int over_ = -1; ///< file descriptor that becomes readable at the watch's end
     std::thread guard_;
     std::array<struct sigaction, 4> before_{};
 };

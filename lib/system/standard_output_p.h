@@ -9,7 +9,8 @@
 
 namespace l3d_detail {
 
-/// Flushes a stream that a program prints on. Errors: l3d_error(failure) if anything was lost.
+/// Flushes the standard output, to learn whether the printed text has arrived. `out` is its stream.
+/// Errors: l3d_error(failure) if any text was lost.
 inline void check_written(std::ostream& out) {
     if (!(out << std::flush))
         throw l3d_error(l3d_exit::failure, "cannot write to the standard output");

@@ -13,10 +13,12 @@
 
 namespace l3d_detail {
 
-/// While it lives, the terminal gives each key at once, without showing it. Signals are noted and
-/// act at the end (l3d_signal_watch), so that no terminal is left like that.
+/// Tells long work, before there is a window, that Escape was pressed in the terminal. While the
+/// object lives, the terminal hands over each key at once, without showing it. Signals are noted
+/// and act at the object's end (l3d_signal_watch), so that the terminal never stays in this mode.
 ///
-/// It does nothing where the standard input is no terminal, or another program has it.
+/// The object does nothing if the standard input is no terminal, or if another program is in the
+/// terminal's foreground.
 /// Expects: no other l3d_signal_watch. Keys other than Escape are lost.
 class stop_key {
 public:
@@ -35,8 +37,8 @@ public:
             tcsetattr(STDIN_FILENO, TCSANOW, &before_);
     }
 
-    /// Whether Escape was pressed, or a signal asks for the end. Other keys begin with the same
-    /// byte, and more follow it.
+    /// Whether Escape was pressed, or a signal asks for the end. Some other keys begin with the
+    /// byte of Escape, but further bytes follow it.
     bool is_pressed() {
         std::array<char, 16> keys{};
         const ssize_t got = is_taken_ ? read(STDIN_FILENO, keys.data(), keys.size()) : 0;
@@ -45,7 +47,7 @@ public:
     }
 
 private:
-    l3d_signal_watch watch_; ///< it ends last, and then raises the signal
+    l3d_signal_watch watch_; ///< ends after the terminal is restored, and then raises the signal
     termios before_{};
     bool is_taken_ = false;
 };

@@ -15,8 +15,8 @@
 
 namespace l3d_detail {
 
-/// A terminal that hands over each key and shows none. The destructor restores its mode, also after
-/// a signal, since the watch keeps the signal back and raises it last.
+/// Makes a terminal hand over each key and show none. The destructor restores the terminal's mode.
+/// This happens also after a signal, since the watch keeps the signal back and raises it last.
 struct terminal_lines::keys {
     explicit keys(int terminal) : terminal_(terminal) {
         tcgetattr(terminal, &before);
@@ -30,15 +30,15 @@ struct terminal_lines::keys {
     keys& operator=(const keys&) = delete;
     ~keys() { tcsetattr(terminal_, TCSANOW, &before); }
 
-    /// Whether a key, a signal or the terminal's end comes within a time. Units: milliseconds; -1
-    /// waits without an end.
+    /// Whether a key, a signal or the end of input comes within this time.
+    /// Units: milliseconds; -1 waits without an end.
     bool come_within(int time) const {
         std::array<pollfd, 2> files{pollfd{terminal_, POLLIN, 0},
                                     pollfd{watch_.waker(), POLLIN, 0}};
         return poll(files.data(), files.size(), time) != 0;
     }
 
-    /// The next key. There is none at the terminal's end and after a signal.
+    /// The next key; nothing at the end of input and after a signal.
     std::optional<unsigned char> next() const {
         unsigned char key = 0;
         if (come_within(-1) && !watch_.caught() && read(terminal_, &key, 1) == 1)
@@ -46,7 +46,7 @@ struct terminal_lines::keys {
         return {};
     }
 
-    /// Whether a key has a special meaning, such as VERASE.
+    /// Whether a key has this meaning at the terminal, such as VERASE.
     bool mean(unsigned char key, int meaning) const {
         return key == before.c_cc[meaning] && key != _POSIX_VDISABLE;
     }
@@ -64,7 +64,8 @@ terminal_lines::int_type terminal_lines::underflow() {
     return traits_type::to_int_type(line_.front());
 }
 
-/// Whether a key comes before the countdown is over. The countdown's text is erased afterwards.
+/// Shows the countdown, and returns whether a key comes before its end. The countdown's text is
+/// erased afterwards.
 bool terminal_lines::first_key_comes(keys& typed) {
     bool has_come = false;
     for (int left = seconds_; left > 0 && !has_come; --left) {
@@ -79,7 +80,7 @@ bool terminal_lines::first_key_comes(keys& typed) {
     return has_come || typed.come_within(0);
 }
 
-/// Reads a whole line, with its end. Returns whether there is one.
+/// Reads a whole line, with the line's end, into line_. Returns whether there is such a line.
 bool terminal_lines::read_line() {
     line_.clear();
     keys typed(terminal_);

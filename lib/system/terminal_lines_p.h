@@ -9,17 +9,18 @@
 
 namespace l3d_detail {
 
-/// The lines that a user types at a terminal, for a std::istream. A terminal hands over whole lines
-/// and hides whether somebody types, so keys are read one by one here. The user can erase them
-/// as usual.
+/// The lines that a user types at a terminal, for a std::istream, with a countdown in case nobody
+/// is there. By default a terminal hands over whole lines, and hides whether somebody types. So
+/// keys are read one by one here, and the user can erase them as usual.
 ///
-/// Before the first key, a countdown stands at the end of the question. When the countdown is over,
-/// the input ends. The first key ends the countdown for good.
+/// Until the first key, a countdown stands at the end of the program's question. When the countdown
+/// is over, the input ends. The first key stops the countdown for good.
 /// Lives:   borrows the terminal and the stream.
 class terminal_lines : public std::streambuf {
 public:
-    /// Expects: a terminal, and a stream that shows what is typed. Units: `seconds` of the
-    ///          countdown.
+    /// Reads from this terminal, and shows the typed keys on `out`. `seconds` is the length of the
+    /// countdown.
+    /// Expects: a terminal's file descriptor, and a stream to the same terminal.
     terminal_lines(int terminal, std::ostream& out, int seconds)
         : terminal_(terminal), out_(out), seconds_(seconds) {}
 

@@ -22,14 +22,14 @@
 #include <string>
 #include <utility>
 
-/// Adds to a `Pipeline` l3d_viewer_controls and a report of each frame. It serves --turntable,
-/// --report, --explain, --statistics, --depth-output and --error-output. Without --eye and --target
-/// it frames its model.
+/// A `Pipeline` with controls, such as l3d_pipeline_afd_viewer, that obeys the command line of
+/// viewers. It serves --turntable, --turn-speed, --report, --explain, --statistics, --depth-output,
+/// --error-output and --pick. Without --eye, --target and --file-camera it frames its model.
 ///
 /// Lives:   borrows the options.
 template <class Pipeline> class L3D_PUBLIC l3d_viewer final : public Pipeline {
 public:
-    /// The `arguments` are those of the Pipeline's constructor.
+    /// Makes the Pipeline of `arguments`, and sets its controls as `asked` says.
     /// Errors:  as l3d_report_writer, and as the Pipeline's constructor; l3d_error(usage) as
     ///          l3d_program::check_transparency.
     template <class... Arguments>
@@ -79,9 +79,9 @@ public:
             reports_->add(report.json());
     }
 
-    /// Writes the facts of the last frame that the options ask for: distances, bounds of pixels,
-    /// skipped work, times, and --pick. It also tells why a picture is empty. Call it once the
-    /// dispatcher has ended.
+    /// Writes what the options ask for at the end: the last frame's distances, bounds of pixels and
+    /// skipped work, the run's times, and the thing at the place of --pick. It also tells why a
+    /// picture is empty. Call it once the dispatcher has ended.
     /// Errors:  l3d_error(failure) that names the file and the system's reason.
     void finish() const {
         if constexpr (requires { this->depth(); })
@@ -107,8 +107,9 @@ public:
     }
 
 private:
-    /// Adds a line about the help for people at a window. Frames that are counted get none, so that
-    /// windows and files have the same pictures.
+    /// Shows a hint about the help to a user at a window. If frames are counted or written, there
+    /// is none, so that windows and files have the same pictures. It also checks --pick and the
+    /// background for this screen.
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
         in_window_ = this->screen().is_window();
@@ -123,8 +124,8 @@ private:
             this->controls().show_hint(seconds);
     }
 
-    /// Tells the user if processors draw although GL was chosen. Otherwise the user would take
-    /// their work for GL's.
+    /// Tells the user on stderr if the library itself draws although OpenGL was chosen. `gl` is the
+    /// renderer of the report, which is empty then.
     void tell_who_draws(const std::string& gl) {
         if (gl.empty())
             std::cerr << command_
@@ -133,7 +134,8 @@ private:
         wants_gl_ = false; // it has been told
     }
 
-    /// The view as options, which are also printed, so that people can copy them from a terminal.
+    /// The view as command-line options. They are also printed, so that the user can copy them from
+    /// a terminal.
     std::string told_view() {
         std::string text = asked_.view_options(this->camera());
         if constexpr (requires { this->settings().rotation; })
@@ -142,7 +144,7 @@ private:
         return text;
     }
 
-    /// Writes values as a PFM file; the name - is the standard output.
+    /// Writes values, one for each pixel, as a PFM file; the name - stands for the standard output.
     static void write(const std::string& file, l3d_size size, std::span<const float> values) {
         if (file == "-")
             l3d_write_pfm(stdout, "standard output", size.width, size.height, values);
@@ -150,8 +152,8 @@ private:
             l3d_write_pfm(file, size.width, size.height, values);
     }
 
-    /// Tells how to undo the option that emptied the picture. The text is empty for a model that is
-    /// too small or has no area, since no option mends that.
+    /// Tells how to undo the option that made the picture empty. The text is empty for a model that
+    /// is too small or has no area, since no option helps then.
     std::string way_to_mend(const std::string& reason) const {
         if (reason == l3d_without_area || reason == l3d_too_small)
             return "";
@@ -163,7 +165,7 @@ private:
                                       : "; press f in a window";
     }
 
-    /// Prints the thing at the place of --pick.
+    /// Prints what is seen at the place of --pick.
     /// Errors:  l3d_error(failure) if the standard output cannot be written to.
     void tell_pick() const {
         if (!asked_.pick())
@@ -174,10 +176,10 @@ private:
     }
 
     const l3d_afd_options& asked_;
-    bool wants_gl_ = false; ///< GL was chosen, and nothing was told about its use yet
+    bool wants_gl_ = false; ///< whether OpenGL was chosen, and the user was not told yet who draws
     bool in_window_ = false;
-    std::int64_t frames_ = 0, polygons_ = 0; ///< totals of frames and polygons drawn
-    double seconds_ = 0;                     ///< time of drawing
+    std::int64_t frames_ = 0, polygons_ = 0; ///< numbers of frames and polygons drawn so far
+    double seconds_ = 0;                     ///< time that drawing took so far
     std::string command_;
     std::optional<l3d_report_writer> reports_;
 };

@@ -31,14 +31,14 @@ namespace {
 
 constexpr std::size_t chunk = std::size_t{1} << 20; // bytes that are sent at once
 
-/// The longest computing time of the kernel for a text, in seconds. A megabyte takes about a
-/// second; broken files can make the kernel compute for ever.
+/// The longest computing time that the CAD kernel gets for a file's text of `size` bytes, in
+/// seconds. A megabyte takes about a second; broken files can make the kernel compute for ever.
 rlim_t most_seconds(std::size_t size) {
     constexpr rlim_t at_least = 10, per_megabyte = 30;
     return at_least + per_megabyte * (size >> 20);
 }
 
-/// A file descriptor that is closed at the end of its life.
+/// Owns a file descriptor, and closes it at the end.
 class open_file {
 public:
     explicit open_file(int file) : file_(file) {}
@@ -57,7 +57,8 @@ private:
     int file_;
 };
 
-/// Memory that two processes share: the share of the work done, and a text for a fault.
+/// Memory that parent and child process share: the share of the work that is done, and a text for a
+/// fault.
 class shared_state {
 public:
     shared_state()
@@ -102,7 +103,8 @@ bool send(int file, std::string_view bytes) {
     return true;
 }
 
-/// Drops the parent's signal handlers, and leaves no process behind when the parent dies.
+/// Prepares the child process: drops the parent's signal handlers, limits computing time to
+/// `seconds`, and asks the system to end this process when the parent dies.
 void stand_alone(pid_t parent, rlim_t seconds) {
     for (const int one : {SIGHUP, SIGINT, SIGQUIT, SIGTERM, SIGPIPE, SIGSEGV, SIGBUS, SIGFPE,
                           SIGILL, SIGABRT, SIGCHLD, SIGALRM, SIGXCPU})
@@ -122,7 +124,8 @@ void stand_alone(pid_t parent, rlim_t seconds) {
         dup2(nowhere, standard);
 }
 
-/// Reads the text, and sends its records. Returns the process's exit status.
+/// The child's work: reads the file's text, and sends records of its faces to the parent. Returns
+/// the process's exit status.
 int work(std::string_view text, bool is_iges, int records, shared_state& state) {
     l3d_detail::cad_writer to;
     bool is_lost = false;

@@ -50,7 +50,7 @@ namespace {
 
 using l3d_detail::cad_record;
 
-/// A look of faces and curves.
+/// The look of faces and curves: colour and opacity.
 struct look {
     std::uint64_t color = 0xffffff;
     double opacity = 1;
@@ -79,7 +79,7 @@ look line_look(const XCAFPrs_Style& style) {
     return style.IsSetColorCurv() ? look{pixel_word(style.GetColorCurv()), 1} : face_look(style);
 }
 
-/// The name of a label, unless it only repeats the label's position.
+/// The name of a label in the document; empty if it only repeats the label's position.
 std::string name_of(const TDF_Label& label) {
     Handle(TDataStd_Name) name;
     if (!label.FindAttribute(TDataStd_Name::GetID(), name))
@@ -88,8 +88,9 @@ std::string name_of(const TDF_Label& label) {
     return text.starts_with("=>[") ? std::string() : text;
 }
 
-/// The names from the top of the assembly down to a part, separated by slashes. If the file has one
-/// part or one assembly, its name is left out, unless it is the part's own.
+/// The path of a part: the names from the top of the assembly down to the part, separated by
+/// slashes. If the file has only one part or assembly at the top, its name is left out, unless it
+/// is the part's own.
 std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     std::string path;
     const int depth = at.CurrentDepth();
@@ -105,14 +106,14 @@ std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     return path.empty() ? "part" : path;
 }
 
-/// Whether a placement only turns and moves, so that lengths and the outside are kept.
+/// Whether a placement only turns and moves, so that it keeps lengths and the side that is outside.
 bool is_rigid(const TopLoc_Location& place) {
     constexpr double rounding = 1e-12;
     const gp_Trsf by = place.Transformation();
     return !by.IsNegative() && std::abs(by.ScaleFactor() - 1) <= rounding;
 }
 
-/// Writes shapes and their placements, one after another.
+/// Writes the parts of an assembly: each shape once, and each part's placement of its shape.
 class part_writer {
 public:
     part_writer(l3d_detail::cad_writer& to, const std::function<void()>& flush)
@@ -154,7 +155,7 @@ public:
     }
 
 private:
-    /// Writes a shape with its movement applied, and returns its number.
+    /// Writes a shape, moved by `by`, and returns the shape's number in the records.
     std::uint64_t written(const TDF_Label& label, const TopoDS_Shape& shape,
                           const TopLoc_Location& by) {
         to_.begin(cad_record::shape);
@@ -197,7 +198,7 @@ private:
         return whole_.size() - 1;
     }
 
-    /// Whether a place has a colour of its own.
+    /// Whether a part has a colour of its own, other than its shape's.
     static bool has_color(const XCAFPrs_DocumentNode& node) {
         TDF_Label color;
         return node.Label != node.RefLabel &&
@@ -210,8 +211,8 @@ private:
         to_.number(one.opacity);
     }
 
-    /// Sets the look of the faces and curves that follow: the given one, or else that of their
-    /// shape's place.
+    /// Sets the look of the faces and curves that follow. Without a look, they have the look of the
+    /// part that places their shape.
     void use(const std::optional<look>& now) {
         if (look_ == now)
             return;
@@ -226,15 +227,17 @@ private:
     face_writer faces_;
     std::map<std::string, int> names_;
     std::optional<look> look_;
-    NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_; ///< by shape
-    std::vector<std::optional<look>> whole_; ///< looks of each shape as a whole
+    /// Number of each shape that was written.
+    NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_;
+    std::vector<std::optional<look>> whole_; ///< look of each shape as a whole
 };
 
-/// Shares of the work in large files: reading the text, making entities of it, making shapes of
-/// them, and writing faces. Reading takes about 60 % of the time of a STEP file's entities.
+/// The shares of the work that are done after each stage, in large files: reading the text, making
+/// entities of the text, and making shapes of the entities. Then faces are written. Reading takes
+/// about 60 % of the time of a STEP file's entities.
 constexpr double when_read = 0.12, when_parsed = 0.2, when_made = 0.7;
 
-/// The text of a file as a stream, which tells how much of it was read.
+/// The text of a file as a stream, which tells which share of the text was read.
 class told_text : public std::streambuf {
 public:
     told_text(std::string_view text, std::atomic<double>& share) : text_(text), share_(share) {}
@@ -257,7 +260,8 @@ private:
     std::size_t at_ = 0;
 };
 
-/// Takes the kernel's reports of its progress with shapes.
+/// Takes the CAD kernel's reports of its progress with shapes, and sets the share of the work that
+/// is done.
 class told_share : public Message_ProgressIndicator {
 public:
     explicit told_share(std::atomic<double>& share) : share_(share) {}
@@ -277,7 +281,8 @@ IFSelect_ReturnStatus parse(STEPCAFControl_Reader& reader, std::string_view text
     return reader.ChangeReader().ReadStream("/dev/null/part.step", stream);
 }
 
-/// The kernel can read IGES only by name. It takes some 3 % of the time, so nobody waits for it.
+/// Parses the text of an IGES file. The CAD kernel can read IGES only from a file with a name. This
+/// takes some 3 % of the time, so its progress is not told.
 IFSelect_ReturnStatus parse(IGESCAFControl_Reader& reader, std::string_view text,
                             std::atomic<double>&) {
     const int file = memfd_create("l3d_cad", MFD_CLOEXEC);
@@ -289,7 +294,7 @@ IFSelect_ReturnStatus parse(IGESCAFControl_Reader& reader, std::string_view text
     return status;
 }
 
-/// Reads a text into a document.
+/// Reads a file's text into a document. Returns the reason of a failure, or "".
 template <class Reader>
 std::string read(std::string_view text, const Handle(TDocStd_Document) & document,
                  const char* format, std::atomic<double>& share) {

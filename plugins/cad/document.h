@@ -12,9 +12,10 @@
 
 namespace cad {
 
-/// Writes all faces of a file's text as records. Calls `flush` after each face, so that nobody
-/// needs to store all records. `share` is set to the share of the work done, from 0 to 1. Errors:
-/// returns the reason why there are no faces to write; "" if there is none.
+/// Reads a STEP or IGES file's text, and writes all its faces as records. Calls `flush` after each
+/// face, so that the records need not be stored all at once. `share` is set to the share of the
+/// work that is done, from 0 to 1.
+/// Errors: returns the reason why no faces can be written; "" if they were written.
 std::string write_document(std::string_view text, bool is_iges, l3d_detail::cad_writer& to,
                            const std::function<void()>& flush, std::atomic<double>& share);
 

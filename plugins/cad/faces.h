@@ -18,14 +18,14 @@
 
 namespace cad {
 
-/// Writes faces, and the edges that they share.
+/// Writes faces as records for l3d, and the edges that faces share.
 /// Lives: borrows the writer.
 class face_writer {
 public:
     explicit face_writer(l3d_detail::cad_writer& to) : to_(to) {}
 
-    /// Writes a face, and those of its edges that no earlier face had. A note names anything that
-    /// cannot be written.
+    /// Writes a face, and its edges that no earlier face had. A note names anything that cannot be
+    /// written.
     void write(const TopoDS_Face& face);
 
     /// Writes an edge that bounds no face, as a curve.
@@ -35,16 +35,17 @@ public:
     void finish();
 
 private:
-    /// A curve of a loop, and the edge that it follows.
+    /// A curve of a trimming loop in the plane of parameters, and the edge that the curve follows.
     struct trim {
         std::uint32_t edge;
         double from, to; ///< the edge's parameters at the curve's ends
         rational_curve curve;
     };
     using loop = std::vector<trim>;
-    /// An edge as a face's wire has it.
+    /// An edge of a face's wire, with its direction there.
     struct edge_use;
-    /// An edge that was written, or none if it has no curve in space.
+    /// An edge that was looked at before: its number among the written edges, or none if the edge
+    /// has no curve in space.
     struct known_edge {
         std::uint32_t number;
         direction along;
@@ -58,8 +59,8 @@ private:
 
     l3d_detail::cad_writer& to_;
     TopTools_IndexedMapOfShape edges_;
-    std::vector<known_edge> known_; ///< in the order of edges_
-    std::uint32_t written_ = 0;     ///< edges
+    std::vector<known_edge> known_; ///< the edges of edges_, in the same order
+    std::uint32_t written_ = 0;     ///< number of edges that were written
     std::size_t faces_ = 0, approximate_ = 0;
 };
 

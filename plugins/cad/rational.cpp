@@ -41,15 +41,17 @@ namespace cad {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-/// The error of approximated curves, in millimetres. It is a tenth of the distance within which the
-/// kernel considers points equal.
+/// The error of approximated curves, in millimetres: a tenth of the error that files commonly
+/// allow. It is ten times the distance within which the CAD kernel considers points equal.
 constexpr double approximation = 1e-6;
-/// Knots that are nearer to each other than this share of the range count as one.
+/// Knots that are nearer to each other than this share of the knots' range count as one knot.
 constexpr double same_share = 1e-12;
 
-/// The longest arc of a circle that is one rational piece; its weights are above cos(45 degrees).
+/// The longest arc of a circle that becomes one rational piece, in radians. Weights are at least
+/// cos(45 degrees) then.
 constexpr double longest_arc = pi / 2;
-/// The longest hyperbolic arc, whose middle weight is cosh(1).
+/// The longest arc of a hyperbola that becomes one rational piece, as a hyperbolic angle. The
+/// middle weight is at most cosh(1) then.
 constexpr double longest_hyperbolic_arc = 2;
 
 std::vector<double> arc_ends(double from, double to, double longest) {
@@ -63,7 +65,7 @@ std::vector<double> arc_ends(double from, double to, double longest) {
     return ends;
 }
 
-/// Knots of quadratic arcs with these ends.
+/// The knots of a B-spline of quadratic arcs with these ends.
 std::vector<double> arc_knots(const std::vector<double>& ends) {
     std::vector<double> knots{ends.front()};
     for (const double end : ends)
@@ -80,7 +82,8 @@ gp_XYZ place(const point& p) {
     return {p[0], p[1], p[2]};
 }
 
-/// A conic centre + x cos s + y sin s, or with cosh and sinh.
+/// The conic centre + x cos s + y sin s, for s from `from` to `to`; a hyperbola has cosh and sinh
+/// instead.
 rational_curve conic(bool is_hyperbola, const gp_XYZ& centre, const gp_XYZ& x, const gp_XYZ& y,
                      double from, double to) {
     rational_curve result;
@@ -169,7 +172,7 @@ rational_surface taken(Handle(Geom_BSplineSurface) spline, const rectangle& at) 
     return result;
 }
 
-/// The surface of a profile that turns about an axis; u is the angle.
+/// The surface that a profile makes by turning about an axis. u is the angle, from u0 to u1.
 rational_surface turned(rational_curve profile, const gp_XYZ& origin, const gp_XYZ& axis, double u0,
                         double u1) {
     const auto ends = arc_ends(u0, u1, longest_arc);
@@ -187,7 +190,8 @@ rational_surface turned(rational_curve profile, const gp_XYZ& origin, const gp_X
     return result;
 }
 
-/// The surface of a profile that moves from v0 to v1 times a vector.
+/// The surface that a profile makes by moving along a vector `by`, from v0 times to v1 times the
+/// vector.
 rational_surface moved(const rational_curve& profile, const gp_XYZ& by, double v0, double v1) {
     rational_surface result{profile.along, {1, {v0, v0, v1, v1}, {}}, {}, profile.is_approximate};
     for (const double v : {v0, v1})
@@ -196,7 +200,8 @@ rational_surface moved(const rational_curve& profile, const gp_XYZ& by, double v
     return result;
 }
 
-/// A surface made of an axis, and a profile in the plane of the axis and x.
+/// A surface that turns about the axis of `position`. `profile` makes its profile in the plane of
+/// the axis and x.
 rational_surface around(const gp_Ax3& position, const rectangle& at,
                         rational_curve (*profile)(const GeomAdaptor_Surface&, const rectangle&),
                         const GeomAdaptor_Surface& surface) {

@@ -15,22 +15,25 @@ namespace cad {
 /// The largest degree of curves and surfaces in l3d.
 inline constexpr int most_degree = 15;
 
-/// Maps a parameter of the kernel to the parameter of the rational B-spline for the same curve.
+/// Maps a parameter of the CAD kernel's curve to the parameter of the rational B-spline that is the
+/// same curve.
 ///
-/// Both are equal, except for conics. The kernel's parameter of a circle is the angle, that of a
-/// hyperbola its hyperbolic angle. A rational arc of the angles from -h to h has the parameter
-/// h tan(angle / 2) / tan(h / 2), or tanh for a hyperbola. Both agree at the arcs' ends.
+/// The two parameters are equal, except for conics. The kernel's parameter of a circle is the
+/// angle, that of a hyperbola the hyperbolic angle. A rational arc of the angles from -h to h has
+/// the parameter h tan(angle / 2) / tan(h / 2), with tanh for a hyperbola. The two parameters agree
+/// at the ends of arcs.
 class parameter_map {
 public:
     enum class kind { same, circular, hyperbolic };
 
     parameter_map() = default;
-    /// `ends`: the ends of the arcs, in order; all arcs have the same length.
+    /// Makes the map for a conic of several arcs. `ends` are the parameters at the arcs' ends, in
+    /// order; all arcs have the same length.
     parameter_map(kind of, std::vector<double> ends) : kind_(of), ends_(std::move(ends)) {}
 
-    /// The B-spline's parameter.
+    /// The B-spline's parameter for the kernel's parameter s.
     double operator()(double s) const;
-    /// The kernel's parameter.
+    /// The kernel's parameter for the B-spline's parameter t.
     double inverse(double t) const;
     /// The parameters where the map is not smooth.
     const std::vector<double>& ends() const { return ends_; }
@@ -45,7 +48,8 @@ private:
     std::vector<double> ends_;
 };
 
-/// A direction of a clamped B-spline.
+/// The degree and knots along one direction of a clamped B-spline. Parameters run from the first
+/// knot to the last. `map` leads to them from the kernel's parameters.
 struct direction {
     int degree = 1;
     std::vector<double> knots;
@@ -55,15 +59,15 @@ struct direction {
     double to() const { return knots.back(); }
 };
 
-/// A control point: x, y, z and the weight. The coordinates are not multiplied by the weight.
+/// A control point: x, y, z and the weight. Coordinates are not multiplied by the weight.
 using point = std::array<double, 4>;
 
 struct rational_curve {
     direction along;
     std::vector<point> points;
-    bool is_approximate = false; ///< to within curve_tolerance
+    bool is_approximate = false; ///< whether the curve is approximated, to 1e-6 mm
 
-    /// The same curve in reverse.
+    /// The same curve in the opposite direction.
     rational_curve reversed() const;
 };
 
@@ -72,21 +76,23 @@ struct rational_surface {
     std::vector<point> points; ///< u fastest
     bool is_approximate = false;
 
-    /// The same surface with u and v exchanged, so its outside is the other side.
+    /// The same surface with u and v exchanged, so that its outside becomes its inside.
     rational_surface exchanged() const;
 };
 
-/// A rectangle of the kernel's parameters.
+/// A rectangle in the plane of a surface's parameters u and v, as the kernel has them.
 struct rectangle {
     double u0, u1, v0, v1;
 };
 
-/// The curve between two parameters. Curves that are not rational, such as offsets, are
-/// approximated to 1e-6 mm: a tenth of the error that files commonly allow.
+/// The part of the kernel's curve between two parameters, as a rational B-spline. Curves that are
+/// not rational, such as offsets, are approximated to 1e-6 mm: a tenth of the error that files
+/// commonly allow.
 /// Errors: throws Standard_Failure.
 rational_curve rational_of(const Handle(Geom_Curve) & curve, double from, double to);
 
-/// The surface over a rectangle. Parameters of periodic surfaces may begin anywhere.
+/// The part of the kernel's surface over a rectangle of its parameters, as a rational B-spline.
+/// Parameters of periodic surfaces may begin anywhere.
 /// Errors: as rational_of of a curve.
 rational_surface rational_of(const Handle(Geom_Surface) & surface, const rectangle& bounds);
 

@@ -11,11 +11,13 @@ namespace l3d_limit {
 /// One coordinate of 4 x 4 control points, u fastest.
 using net = std::array<double, 16>;
 
-/// Bits of the sides of a face that have no neighbours: v = 0, u = 1, v = 1, u = 0.
+/// A bit for each side of a face: v = 0, u = 1, v = 1, u = 0. It is set if the side has no
+/// neighbour.
 enum side_bits : unsigned { v_low = 1, u_high = 2, v_high = 4, u_low = 8 };
 
-/// Computes the control points beyond boundaries by reflection: each is as far outside as its
-/// counterpart is inside. So the boundary is the B-spline curve of its own points.
+/// Computes the control points beyond the sides without neighbours, by reflection: each lies as far
+/// outside as its counterpart lies inside. So the surface's boundary is the B-spline curve of the
+/// control points on the side.
 inline void reflect_at_boundaries(net& p, unsigned boundary) {
     for (std::size_t i = 0; i < 4; ++i) {
         if (boundary & v_low)
@@ -31,10 +33,11 @@ inline void reflect_at_boundaries(net& p, unsigned boundary) {
     }
 }
 
-/// The Bezier points of the middle one of a uniform B-spline's 3 x 3 squares of control points.
+/// The Bezier points of the patch for the middle one of the 3 x 3 squares that a uniform B-spline's
+/// control points form.
 ///
-/// Sums are in an order that does not depend on the direction in which a neighbour counts. So
-/// neighbours compute the same bits for their common side.
+/// The order of additions does not depend on the direction in which control points are counted. So
+/// two neighbours compute the same bits for their common side.
 /// Source: knot insertion; each Bezier point is a product of (1 4 1) / 6 and (2 1) / 3.
 inline net bezier_of(const net& p) {
     const auto at = [&](int row, int column) {
@@ -72,8 +75,9 @@ inline net bezier_of(const net& p) {
     return result;
 }
 
-/// The control points of the halves of a cubic Bezier curve: 7 in a row, with the middle one in
-/// both. They are midpoints of midpoints, so the reversed curve gives the same ones, bit for bit.
+/// The control points of the two halves of a cubic Bezier curve: 7 in a row, of which both halves
+/// share the middle one. All are midpoints of midpoints, so the reversed curve gives the same
+/// points, bit for bit.
 inline std::array<double, 7> halves_of(double a, double b, double c, double d) {
     const double ab = (a + b) / 2, bc = (b + c) / 2, cd = (c + d) / 2;
     const double abc = (ab + bc) / 2, bcd = (bc + cd) / 2;
@@ -81,7 +85,7 @@ inline std::array<double, 7> halves_of(double a, double b, double c, double d) {
 }
 
 /// The part of a Bezier patch from u0 to u0 + size and from v0 to v0 + size, by halving.
-/// Expects: size is a power of 1/2, and u0 and v0 are multiples of it.
+/// Expects: size is a power of 1/2, and u0 and v0 are multiples of size.
 inline net part_of(net p, double u0, double v0, double size) {
     const auto halve = [](net& of, bool along_u, bool high) {
         const std::size_t step = along_u ? 1 : 4, line = along_u ? 4 : 1;

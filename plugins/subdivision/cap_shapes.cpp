@@ -70,7 +70,7 @@ face_ring::face_ring(const far::TopologyLevel& level, int face) {
 
 namespace {
 
-/// A point as a sum of the ring's vertices, each with its weight.
+/// A point as a weighted sum of a ring's vertices: a weight for each vertex.
 struct weighted {
     std::vector<double> of;
 
@@ -81,7 +81,7 @@ struct weighted {
     }
 };
 
-/// One number of each of 16 control points: the weight of one vertex.
+/// The weights that one vertex has in 16 control points.
 net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
     net result{};
     for (std::size_t k = 0; k < 16; ++k)
@@ -89,9 +89,9 @@ net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
     return result;
 }
 
-/// The bicubic Bezier patch for a Gregory patch's twenty points. Each corner has five: itself, the
-/// points next to it on both sides, and two for the middle. The bicubic patch has the mean of these
-/// two.
+/// The bicubic Bezier patch for a Gregory patch's twenty points. Each corner has five points:
+/// itself, the points next to it on both sides, and two inner points. The bicubic patch has the
+/// mean of the two inner points.
 net bezier_of_gregory(const std::array<double, 20>& p) {
     const auto middle = [&](std::size_t corner) {
         return (p[5 * corner + 3] + p[5 * corner + 4]) / 2;
@@ -100,11 +100,12 @@ net bezier_of_gregory(const std::array<double, 20>& p) {
             p[16], middle(3), middle(2), p[12], p[15], p[17],     p[11],     p[10]};
 }
 
-/// The deepest level that Far has.
+/// The deepest level of subdivision that OpenSubdiv's Far has.
 constexpr int deepest = 10;
 
-/// The most stages of ten subdivisions. Around a vertex with any number of faces, a subdivision
-/// shrinks lengths to 0.655 or less. So after 40 of them less than 2^-24 is left.
+/// The most stages of ten subdivisions each. Around a vertex with any number of faces, a
+/// subdivision shrinks lengths to 0.655 or less. So after 40 subdivisions less than 2^-24 of a
+/// length is left.
 constexpr std::size_t most_stages = 4;
 
 mesh_topology topology_of(const face_ring& ring) {
@@ -118,35 +119,37 @@ mesh_topology topology_of(const face_ring& ring) {
             .holes = {}};
 }
 
-/// Subdivides a mesh of the ring's faces alone.
+/// Subdivides the first face of a mesh that consists of the ring's faces alone.
 refined_mesh refined_ring(const face_ring& ring, OpenSubdiv::Sdc::Options options, int levels) {
     constexpr int only[] = {0};
     return {topology_of(ring), options, levels, only};
 }
 
-/// The face that remains in the middle of a ring after some subdivisions.
+/// A face that is still irregular after some subdivisions of a ring's face.
 struct rest {
     face_ring ring;
-    std::vector<weighted> vertices; ///< the ring's vertices, as sums of the first ring's
-    double u, v, size;              ///< the part of the face
+    /// Vertices of `ring`, as weighted sums of the first ring's vertices.
+    std::vector<weighted> vertices;
+    double u, v, size; ///< the part of the first ring's face that this face covers
 };
 
 } // namespace
 
 struct cap_shapes::weights {
-    /// The results of ten subdivisions, as rows with a weight for each vertex.
+    /// The results of ten subdivisions. Each result is a difference of points, as a row of weights,
+    /// one for each vertex.
     struct stage {
         /// Differences between the control points of exact patches and those of the cap's part.
         std::vector<double> differences;
-        /// Differences in the faces that are left, from the cap's first control point there. The
-        /// first list has those to all points on which the limit surface depends, the second those
-        /// to all other control points of the cap.
+        /// Differences in the faces that are still irregular, from the cap's first control point in
+        /// each face. The list surface_spread has the differences of all points on which the limit
+        /// surface depends. The list cap_spread has those of the cap's other control points.
         std::vector<double> surface_spread, cap_spread;
     };
     std::size_t vertices = 0;
-    std::vector<net> cap; ///< the weights of each vertex
+    std::vector<net> cap; ///< weights of each vertex in the cap's control points
     std::vector<stage> stages;
-    std::vector<rest> left; ///< after these stages
+    std::vector<rest> left; ///< faces that are still irregular after all stages
 
     weights(const face_ring& ring, OpenSubdiv::Sdc::Options options);
     void add_stage(OpenSubdiv::Sdc::Options options);

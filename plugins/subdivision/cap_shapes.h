@@ -18,28 +18,32 @@ namespace l3d_limit {
 
 using place = std::array<double, 3>;
 
-/// A face with all faces that touch it: its limit surface depends on these vertices alone.
+/// A face with all faces that touch it. The face's limit surface depends on the vertices of these
+/// faces alone.
 struct face_ring {
-    std::vector<int> vertices; ///< indices in the level, each once; those of the face first
-    /// All other facts on which the surface depends. They are equal for rings that differ only in
-    /// places.
+    /// Indices of the vertices in the level, each once; the face's own vertices come first.
+    std::vector<int> vertices;
+    /// All facts besides places on which the limit surface depends, as a key: rings that differ
+    /// only in places have equal keys.
     std::vector<int> shape;
-    std::vector<int> face_sizes, corners; ///< the faces, in the ring's own numbers
+    /// Sizes and corners of the faces; corners are indices in `vertices`.
+    std::vector<int> face_sizes, corners;
     std::vector<int> crease_vertices, point_vertices;
     std::vector<float> crease_sharpness, point_sharpness;
 
-    /// Expects: a face of four corners.
+    /// Collects the ring of a face of this level. Expects: the face has four corners.
     face_ring(const OpenSubdiv::Far::TopologyLevel& level, int face);
 };
 
-/// A cap, and a bound of its distance from the limit surface at the same parameters.
+/// A bicubic patch in place of the limit surface over an irregular face, and a bound of their
+/// distance at the same parameters.
 struct cap {
-    std::array<net, 3> bezier{}; ///< its control points, for x, y and z
+    std::array<net, 3> bezier{}; ///< control points of the patch, for x, y and z
     double error = 0;
 };
 
-/// Makes caps (docs/NUMERICS.md, section 29). Results that depend on the ring's shape alone are
-/// kept.
+/// Makes caps (docs/NUMERICS.md, section 29). Results that depend only on a ring's `shape` are kept
+/// for later rings.
 class cap_shapes {
 public:
     explicit cap_shapes(OpenSubdiv::Sdc::Options options);
@@ -47,7 +51,7 @@ public:
     cap_shapes& operator=(const cap_shapes&) = delete;
     ~cap_shapes();
 
-    /// Shape: `places` of the ring's vertices, in their order.
+    /// Makes the cap of a ring's face. `places` are those of ring.vertices, in the same order.
     cap of(const face_ring& ring, const std::vector<place>& places);
 
 private:

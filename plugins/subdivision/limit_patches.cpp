@@ -17,7 +17,7 @@ namespace far = OpenSubdiv::Far;
 
 namespace {
 
-/// The control points of a side.
+/// The four control points of a patch's side.
 using curve = std::array<place, 4>;
 
 curve reversed(const curve& c) {
@@ -40,7 +40,7 @@ double distance(const place& a, const place& b) {
     return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
 }
 
-/// A place with the operations that Far needs.
+/// A place with the operations that OpenSubdiv's Far needs.
 struct point {
     place at{};
 
@@ -51,7 +51,7 @@ struct point {
     }
 };
 
-/// The control points of each side, in order around the patch.
+/// The indices of each side's control points, in order around the patch.
 constexpr std::size_t side_points[4][4] = {
     {0, 1, 2, 3}, {3, 7, 11, 15}, {15, 14, 13, 12}, {12, 8, 4, 0}};
 
@@ -59,8 +59,9 @@ place point_of(const std::array<net, 3>& of, std::size_t k) {
     return {of[0][k], of[1][k], of[2][k]};
 }
 
-/// Gives all patches that meet at a vertex or along an edge the same points there, bit for bit.
-/// These are the points of the coarsest patch, and of its halves where patches are half as large.
+/// Gives all patches that meet at a vertex or along an edge the same control points there, bit for
+/// bit. They are the points of the coarsest patch, or of its side's halves where the other patches
+/// are half as large.
 class common_borders {
 public:
     explicit common_borders(const refined_mesh& mesh) : mesh_(mesh) {
@@ -72,8 +73,9 @@ public:
         }
     }
 
-    /// Expects: coarser leaves before finer ones, and of a level, exact ones first.
-    /// Returns the largest distance by which a control point was moved.
+    /// Replaces control points on the sides of a leaf's patch by the common ones.
+    /// Expects: it is called for coarser leaves before finer ones, and in each level for exact
+    ///          patches first. Returns the largest distance by which a control point was moved.
     double unite(const leaf& of, std::array<net, 3>& patch) {
         const std::array<net, 3> before = patch;
         const auto put = [&](std::size_t k, const place& to) {
@@ -113,7 +115,8 @@ private:
     }
     bool has_finer(int level) const { return level + 1 < mesh_.refiner().GetNumLevels(); }
 
-    /// The place of a vertex. It stays the same at all finer levels.
+    /// The common place of a vertex of a level: the place known from an earlier patch, or else
+    /// `own`. It stays the same at all finer levels.
     place vertex(int level, int which, const place& own) {
         if (known(level, which))
             return *known(level, which);
@@ -155,10 +158,10 @@ private:
     std::vector<std::vector<std::optional<place>>> vertices_;
 };
 
-/// The vertices of all levels, and the patches of all leaves before their borders are common.
+/// The patches of all leaves, before common_borders changes their sides.
 struct level_patches {
     std::vector<std::array<net, 3>> patches;
-    std::vector<double> errors; ///< one for each patch; 0 for exact ones
+    std::vector<double> errors; ///< bound of each patch's error; 0 for exact patches
     double error = 0;
     std::size_t caps = 0;
 };
@@ -194,10 +197,10 @@ level_patches patches_of(const refined_mesh& mesh, const std::vector<point>& poi
     return result;
 }
 
-/// Bound of the rounding of places. A vertex is a sum of products, at most one for each level and
-/// each vertex of a ring, with weights that add up to 1. With fewer than 2^10 vertices in a ring,
-/// 10 levels and the 2^3 roundings of bezier_of, rounding is less than 2^14 times half an ulp of
-/// the largest coordinate.
+/// Bound of the rounding of patches' control points. A vertex is a sum of products, at most one for
+/// each level and each vertex of a ring, with weights that add up to 1. With fewer than 2^10
+/// vertices in a ring, 10 levels and the 2^3 roundings of bezier_of, rounding is less than 2^14
+/// times half an ulp of the largest coordinate.
 double rounding_of(const std::vector<place>& places) {
     double largest = 0;
     for (const place& p : places)

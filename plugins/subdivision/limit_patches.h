@@ -11,17 +11,19 @@
 
 namespace l3d_limit {
 
-/// Patches with a bound of their distance from the limit surface at the same parameters.
+/// Bicubic patches for a Catmull-Clark surface, with bounds of their distance from this limit
+/// surface at the same parameters.
 struct limit_patches {
-    std::vector<std::array<net, 3>> patches; ///< x, y and z, face by face
-    std::vector<leaf> leaves;                ///< the leaves that the patches stand for
-    std::vector<double> errors;              ///< one for each patch
-    double error = 0;                        ///< the largest of them
+    /// Control points of each patch for x, y and z, face by face.
+    std::vector<std::array<net, 3>> patches;
+    std::vector<leaf> leaves;   ///< the leaf that each patch stands for
+    std::vector<double> errors; ///< the bound of each patch's error
+    double error = 0;           ///< the largest of `errors`
     int levels = 0;
-    std::size_t caps = 0; ///< patches that are no exact part of the surface
+    std::size_t caps = 0; ///< number of patches that are no exact part of the surface
 
-    /// Subdivides until the error is below `wanted`, no level is left, or the next one has more
-    /// patches than `most`. The first level is always made.
+    /// Subdivides the cage `mesh` until the error is below `wanted`, until no level is left, or
+    /// until the next level would have more patches than `most`. The first level is always made.
     limit_patches(const mesh_topology& mesh, const std::vector<place>& places,
                   OpenSubdiv::Sdc::Options options, double wanted, std::size_t most);
 };

@@ -17,7 +17,8 @@
 
 namespace l3d_limit {
 
-/// The faces of a cage with its sharp edges and vertices; places are stored elsewhere.
+/// The faces of a cage, with its sharp edges and vertices. The places of vertices are stored
+/// elsewhere.
 struct mesh_topology {
     int vertices = 0;
     std::vector<int> face_sizes, corners;
@@ -28,32 +29,36 @@ struct mesh_topology {
     std::vector<int> holes;
 };
 
-/// A face that is not subdivided further: one patch.
+/// A face that is not subdivided further, and becomes one patch.
 struct leaf {
-    int base_face;   ///< the cage's face that it is a part of
-    int quad;        ///< its index among all quads. A face of n corners has n, or 1 if n is 4.
-    int level, face; ///< the level, and the index among its faces
+    int base_face; ///< the cage's face that the leaf is a part of
+    /// Index of its quad among all. A face of 4 corners has one, others have one per corner.
+    int quad;
+    int level, face; ///< the leaf's level, and its index among the level's faces
     /// The part of the quad that the leaf covers. The quad's parameters run from 0 to 1.
     double u, v, size;
     bool is_regular;
-    unsigned boundary; ///< sides without neighbours, as side_bits, if it is regular
+    unsigned boundary; ///< sides without neighbours, as side_bits, if the leaf is regular
     OpenSubdiv::Far::PatchTable::PatchHandle handle;
 };
 
-/// A cage after adaptive subdivision. Its leaves cover the whole surface, face by face.
+/// A cage that was subdivided around its irregular vertices. Its leaves cover the whole surface,
+/// face by face.
 class refined_mesh {
 public:
-    /// Expects: a manifold; 0 <= levels <= 10. Only these faces are subdivided, or all if there are
-    ///          none.
+    /// Subdivides a cage to a depth of `levels`. `only` lists the faces to subdivide; if it is
+    /// empty, all faces are.
+    /// Expects: the cage is a manifold; 0 <= levels <= 10.
     refined_mesh(const mesh_topology& mesh, OpenSubdiv::Sdc::Options options, int levels,
                  std::span<const int> only = {});
 
     const OpenSubdiv::Far::TopologyRefiner& refiner() const { return *refiner_; }
     const std::vector<leaf>& leaves() const { return leaves_; }
-    /// The index of the first vertex of a level among those of all levels.
+    /// The index of a level's first vertex among the vertices of all levels.
     int first_of(int level) const { return first_[static_cast<std::size_t>(level)]; }
 
-    /// The vertices of all levels. Point has the operations that Far needs.
+    /// The vertices of all levels, computed from the cage's vertices. `Point` has the operations
+    /// that OpenSubdiv's Far needs.
     template <class Point> std::vector<Point> refined(const std::vector<Point>& cage) const {
         std::vector<Point> result = cage;
         result.resize(static_cast<std::size_t>(refiner_->GetNumVerticesTotal()), cage.front());
@@ -66,8 +71,8 @@ public:
         return result;
     }
 
-    /// The 16 control points of a leaf, u fastest. Those beyond a boundary are undefined.
-    /// Expects: it is regular; the result of refined().
+    /// The 16 B-spline control points of a leaf, u fastest. Points beyond a boundary are undefined.
+    /// Expects: the leaf is regular; `points` are the result of refined().
     template <class Point>
     std::array<Point, 16> control_points(const std::vector<Point>& points, const leaf& of) const {
         const auto indices = patches_->GetPatchVertices(of.handle);
@@ -77,7 +82,8 @@ public:
         return result;
     }
 
-    /// The twenty points of Far's Gregory patch for a leaf. Expects: it is not regular.
+    /// The twenty points of Far's Gregory patch for a leaf.
+    /// Expects: the leaf is not regular; `points` are the result of refined().
     template <class Point>
     std::array<Point, 20> gregory_points(const std::vector<Point>& points, const leaf& of) const {
         const auto indices = patches_->GetPatchVertices(of.handle);
@@ -100,7 +106,8 @@ public:
         return result;
     }
 
-    /// The vertices of all faces that touch a leaf's, as indices among those of all levels.
+    /// The vertices of all faces that touch a leaf's face, as indices among the vertices of all
+    /// levels.
     std::vector<int> ring_of(const leaf& of) const;
 
 private:

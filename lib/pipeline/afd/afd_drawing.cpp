@@ -20,7 +20,7 @@ std::int32_t in_subpixels(double pixels) {
     return static_cast<std::int32_t>(std::lround(pixels * l3d_subpixel_one));
 }
 
-/// Cuts drawn lines into wires: hidden lines into dashes.
+/// Cuts the curves of a line drawing into straight wires, and hidden curves into dashes.
 class wires_of_lines {
 public:
     explicit wires_of_lines(const l3d_shading& shading) : shading_(shading) {}
@@ -73,8 +73,8 @@ private:
 
 } // namespace
 
-/// Draws lines in place of surfaces. They have no depth, so the depth is cleared, as for a
-/// wireframe.
+/// Draws contours, creases and borders in place of surfaces. Such lines have no depth, so the depth
+/// buffer is cleared, as for a wireframe.
 void l3d_pipeline_afd::draw_drawing(const l3d_shading& shading) {
     untouched_ = false;
     if (wants_depth()) {

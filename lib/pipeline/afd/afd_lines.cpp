@@ -18,8 +18,8 @@ namespace {
 
 constexpr std::uint32_t mark_color = 0x00ffd873;
 
-/// Lines between points of the image. A line that several patches have is kept once. A line that
-/// reaches behind the near plane is left out.
+/// Collects lines between points of the image, to draw nets and marked parts. A line that several
+/// patches share is kept once. A line that reaches behind the near plane is left out.
 class image_lines {
 public:
     explicit image_lines(const l3d_dice_view& view) : view_(view) {}
@@ -59,7 +59,7 @@ void add_curve(image_lines& to, const curve& of) {
 
 } // namespace
 
-/// Draws the 24 edges of every control net.
+/// Draws the control net of every patch: 24 lines each.
 void l3d_pipeline_afd::draw_nets() {
     untouched_ = false;
     image_lines lines(stages_->view);

@@ -15,13 +15,13 @@ namespace {
 
 using l3d_detail::stopwatch;
 
-/// A part of the picture, and a bit for each transparent instance that may be seen there.
+/// A box of the picture, and a bit for each transparent instance that may be seen in this box.
 struct cell {
     l3d_pixel_box box;
     unsigned instances = 0;
 };
 
-/// Disjoint boxes that cover the given ones. Bit i of each is set if box i holds it.
+/// Divides the given boxes into disjoint cells. Bit i of a cell is set if box i holds the cell.
 std::vector<cell> cells_of(const std::vector<l3d_pixel_box>& boxes) {
     std::vector<std::int32_t> columns, rows;
     for (const l3d_pixel_box& box : boxes) {
@@ -56,8 +56,9 @@ std::vector<cell> cells_of(const std::vector<l3d_pixel_box>& boxes) {
 
 } // namespace
 
-/// Draws the mean of pictures in which each transparent instance is present with its opacity as
-/// probability. So nothing needs to be sorted, and surfaces may pass through each other.
+/// Draws transparent instances: the mean of pictures in each of which an instance is either opaque
+/// or absent. The instance's opacity is the probability that it is there. So nothing needs to be
+/// sorted, and surfaces may pass through each other.
 void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times) {
     std::vector<std::size_t> opaque, transparent;
     const auto instances = scene_.instances();
@@ -114,7 +115,7 @@ void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times
         draw_surfaces(now, {what_is_there(), mixed, whole, true}, times);
 }
 
-/// The scene without instances of opacity 0.
+/// The scene without the instances of opacity 0, which are not seen.
 l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
     std::vector<std::size_t> there;
     for (std::size_t i = 0; i < scene_.instances().size(); ++i)
@@ -123,16 +124,17 @@ l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
     return scene_.only(there);
 }
 
-/// Bound of the error, in levels, of a mean of light. It is at most 4/3 of each picture's error
-/// (NUMERICS, section 22), and one more rounding.
+/// Bound of the error, in shade levels of 0 to 255, of a mean of pictures' light, from the bound
+/// `of_each` picture's error. It is 4/3 of that bound (NUMERICS, section 22), and one rounding
+/// more.
 double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
     constexpr double most_steep = 4.0 / 3, rounding = 0.51;
     return most_steep * of_each + rounding;
 }
 
-/// Bound of the error, in levels, that fog adds. A drawn surface is nowhere farther from the exact
-/// one than the bound of depth, in pixels at its distance. Fog is rounded to whole 255ths, and its
-/// two products to whole levels.
+/// Bound of the error that fog adds, in shade levels of 0 to 255. A drawn surface is nowhere
+/// farther from the exact one than the bound of depth, in pixels at the surface's distance. The
+/// amount of fog is rounded to whole 255ths, and its two products to whole levels.
 double l3d_pipeline_afd::shade_bound_of_fog() const {
     const l3d_fog& fog = settings_.fog;
     if (!fog.is_on())
@@ -145,9 +147,9 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
     return white * most_off / (far - double{fog.from}) + rounding;
 }
 
-/// Bound of the error of shades under lights. A pixel's shade belongs to an exact point within the
-/// bound of places. That bound is seen under the largest angle in the picture's middle. The rays of
-/// a parallel projection have one direction.
+/// Bound of the error of shades under lights. A pixel's shade belongs to an exact point that is off
+/// by at most the bound of places. The eye sees this distance under the largest angle in the
+/// picture's middle. In a parallel projection the angle is 0, since all rays have one direction.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
     return l3d_lit_shade_bound(

@@ -25,16 +25,18 @@ constexpr double radius = 3.5; // the size of a handle, in pixels
 constexpr double grasp = 10;   // most pixels from the pointer to a handle's middle
 /// The factor by which a notch of the wheel changes a weight.
 constexpr double notch_weight = 1.1;
-/// A line is hidden only if it is farther than the surface by this factor. Otherwise rounding would
-/// hide the lines of a net that lie on the surface.
+/// A line counts as hidden only if it is farther away than the surface by this factor. Otherwise
+/// rounding would hide the lines of a net that lie on the surface.
 constexpr double just_behind = 1.004;
 
-/// A place in the picture, from its left upper corner, and its distance along the view axis.
+/// A place that was projected: its place in the picture, from the left upper corner, and its
+/// distance along the view axis.
 struct seen_place {
     double x, y, distance;
 };
 
-/// Projects a place; nothing if it is nearer than the near plane.
+/// Projects a place into the picture. The result is nothing if the place is nearer than the near
+/// plane.
 std::optional<seen_place> seen(const l3d_matrix<double>& to_image, const l3d_handle_view& view,
                                const vector& place) {
     const auto h = to_image * l3d_vector<double, 4>(place[0], place[1], place[2], 1.0);
@@ -53,11 +55,11 @@ bool is_hidden(const seen_place& place, const l3d_depth_buffer* depth) {
     return static_cast<double>(reciprocal) * place.distance > just_behind;
 }
 
-/// The visible and the hidden parts of lines.
+/// Two paths, which collect the visible and the hidden parts of lines.
 struct two_paths {
     l3d_path seen, hidden;
 
-    /// Adds a line in parts, each visible or hidden as its middle is.
+    /// Adds a line, divided into short parts. Each part is visible or hidden as its middle is.
     void add_line(const seen_place& from, const seen_place& to, const l3d_depth_buffer* depth) {
         constexpr double part = 6; // pixels
         constexpr int most = 256;  // parts of a line that leaves the picture
@@ -236,7 +238,8 @@ l3d_control_handles::effect l3d_control_handles::pointer(const l3d_event& event,
     }
 }
 
-/// Acts at the middle of the pixel under the pointer.
+/// Marks the handle at a press, and takes hold of it for a drag. The place of the press is the
+/// middle of the pixel under the pointer.
 l3d_control_handles::effect l3d_control_handles::press(const l3d_event& event,
                                                        const l3d_handle_view& view) {
     const double x = event.x + 0.5, y = event.y + 0.5;

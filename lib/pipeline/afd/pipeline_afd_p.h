@@ -22,8 +22,8 @@
 #include <memory>
 #include <vector>
 
-/// Everything that a picture depends on, except the placements of its models. If it is unchanged,
-/// only the models that were moved need be drawn again.
+/// All values that a picture depends on, except the placements of the scene's models. If two frames
+/// have the same basis, only the models that were moved need be drawn again.
 struct l3d_pipeline_afd::basis {
     l3d_pixels target;
     l3d_matrix<double> to_image;
@@ -36,7 +36,7 @@ struct l3d_pipeline_afd::basis {
     friend bool operator==(const basis&, const basis&) = default;
 };
 
-/// The task of one drawing: the scene, the picture, and the part of it to draw.
+/// The task of one drawing: the scene, the picture, and the part of the picture to draw.
 struct l3d_pipeline_afd::drawing {
     const l3d_patch_scene& scene;
     l3d_pixels target;
@@ -44,7 +44,7 @@ struct l3d_pipeline_afd::drawing {
     bool wants_depth = false;
 };
 
-/// The stages of a frame, from the scene to the method that fills it.
+/// The objects that make a frame in stages, from culling the scene to filling its surfaces.
 struct l3d_pipeline_afd::stages {
     stages(const l3d_afd_settings& settings, const l3d_rasterizer_factory& rasterizers)
         : workers(settings.threads), method(settings.method.create(rasterizers, workers)),
@@ -52,19 +52,20 @@ struct l3d_pipeline_afd::stages {
 
     l3d_workers workers;
     std::unique_ptr<l3d_surface_method> method;
-    basis drawn; ///< basis of the drawn picture
+    basis drawn; ///< basis of the last picture that was drawn
     l3d_image_transform transform;
     l3d_dice_view view;
     l3d_curved_error curved;
-    l3d_box_lanes moved_to; ///< kept for its memory
+    l3d_box_lanes moved_to; ///< new boxes of moved instances; kept to reuse the memory
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
     l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent instances
-    l3d_image mixed;               ///< the picture that is mixed next
-    l3d_detail::depth_lines lines; ///< kept for its memory
+    l3d_image mixed;               ///< the picture that `mix` takes next
+    l3d_detail::depth_lines lines; ///< kept to reuse the memory
     /// The edges of models as lines, by the models' identities.
     std::map<const void*, std::vector<l3d_space_curve>> edges;
-    std::unique_ptr<l3d_frame_doubts> doubts; ///< map of the last frame that asked for one
+    /// Map of errors of the last frame that asked for one.
+    std::unique_ptr<l3d_frame_doubts> doubts;
 };
 
 #endif

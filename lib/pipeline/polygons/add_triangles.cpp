@@ -20,11 +20,11 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The number of triangles that are copied together, to places that begin a vector.
+/// The number of triangles that are copied together, to lanes at which a vector begins.
 constexpr std::size_t together = 4;
 static_assert(l3d_micro_triangles::lanes % together == 0);
 
-/// One corner of each of the triangles, and the bit that turns its normal round.
+/// The records of one corner of each of the triangles, and the bits that reverse its normals.
 struct corner_records {
     std::array<const placed_vertices::place*, together> places;
     std::array<const placed_vertices::normal*, together> normals;
@@ -103,7 +103,8 @@ HWY_INLINE void put_normals(const corner_records& from, l3d_micro_triangles::cor
 
 #endif
 
-/// Adds chosen triangles to lanes: single ones up to a vector's first lane, then whole vectors.
+/// Adds chosen triangles to lanes: single triangles up to the first lane of a vector, then whole
+/// vectors of triangles.
 class triangle_adder {
 public:
     HWY_INLINE triangle_adder(std::span<const l3d_model_triangle> triangles,

@@ -13,34 +13,37 @@
 
 namespace l3d_detail {
 
-/// A corner's place in the plane of its polygon, in whole steps of a grid. Coordinates are below
-/// 2^52, so that areas of triangles are exact.
+/// The place of a polygon's corner in the polygon's plane, in whole steps of a grid. Coordinates
+/// are below 2^52, so that areas of triangles are exact.
 struct flat_place {
     std::int64_t u = 0, v = 0;
 };
 
-/// Twice the area of a triangle, positive if it is counterclockwise.
+/// Twice the area of the triangle a, b, p; positive if its corners run counterclockwise.
 inline wide_integer turn(const flat_place& a, const flat_place& b, const flat_place& p) {
     return wide_integer{b.u - a.u} * (p.v - a.v) - wide_integer{b.v - a.v} * (p.u - a.u);
 }
 
-/// A tree that finds out whether any corner of a polygon lies in a triangle. Each node halves its
-/// corners across the wider side of their box, and counts those that are not yet removed.
+/// A tree that finds out whether any corner of a polygon lies in a triangle. Each node divides its
+/// corners into two halves, across the wider side of their box. It counts its corners that are not
+/// removed yet.
 ///
-/// Cost:   n log n to make. A question about an empty triangle looks at the boxes that the
-///         triangle's sides cross, about sqrt(n), and other questions at fewer.
+/// Cost:   making the tree of n corners takes n log n time. For a triangle without corners,
+///         any_in() looks at the boxes that the triangle's sides cross, about sqrt(n). For other
+///         triangles it looks at fewer.
 /// Source: Bentley: Multidimensional binary search trees used for associative searching (CACM 18,
 ///         1975).
 class corner_tree {
 public:
-    /// Lives: borrows the places.
+    /// Makes a tree of these corners. Lives: borrows the places.
     explicit corner_tree(std::span<const flat_place> places);
 
-    /// Removes a corner. Expects: it is not removed yet.
+    /// Removes a corner, so that any_in() ignores it. Expects: the corner is not removed yet.
     void remove(std::size_t corner);
 
-    /// Whether blocks(p, {ab, bc, ca}) is true for any other remaining corner p in the triangle or
-    /// on its sides. The numbers are turn() of each side with p; none is negative.
+    /// Whether blocks(p, {ab, bc, ca}) is true for any corner p in the triangle or on its sides.
+    /// The triangle's own corners and removed corners do not count. The numbers ab, bc and ca are
+    /// turn() of each side with p; none is negative.
     /// Expects: the triangle is counterclockwise.
     template <class Blocks>
     bool any_in(const std::array<std::size_t, 3>& triangle, const Blocks& blocks) const {
@@ -68,13 +71,14 @@ public:
 private:
     struct bounds {
         flat_place least, most;
-        std::size_t left = 0; ///< corners not yet removed
+        std::size_t left = 0; ///< number of corners that are not removed yet
     };
     struct half {
-        std::size_t node, begin, end; ///< the node; its range in `order_`
+        /// The node's number, and the range of its corners in `order_`.
+        std::size_t node, begin, end;
     };
 
-    /// The most corners in a leaf, which are looked at one by one.
+    /// The most corners in a leaf. any_in() looks at a leaf's corners one by one.
     static constexpr std::size_t leaf = 8;
 
     void make(const half& all);
@@ -102,10 +106,12 @@ private:
     }
 
     std::span<const flat_place> places_;
-    std::vector<std::size_t> order_;    ///< corners, halves side by side
-    std::vector<std::size_t> position_; ///< each corner's place in `order_`
+    /// The corners, sorted so that each node's corners stand together.
+    std::vector<std::size_t> order_;
+    std::vector<std::size_t> position_; ///< each corner's index in `order_`
     std::vector<bool> removed_;
-    std::vector<bounds> boxes_; ///< node n has the halves 2n and 2n + 1; the whole is 1
+    /// One for each node; node 1 is the whole, node n has the halves 2n and 2n + 1.
+    std::vector<bounds> boxes_;
 };
 
 } // namespace l3d_detail

@@ -15,11 +15,11 @@ float cosine(double degrees) {
     return static_cast<float>(std::cos(degrees * std::numbers::pi / 180));
 }
 
-/// Margin for normals that are rounded to float. The normals of coplanar faces then differ by some
-/// ulps.
+/// The margin of tests for normals that are rounded to float: the normals of coplanar faces differ
+/// by some ulps.
 constexpr float rounding = 1e-6F;
 
-/// The corner that stands for a corner's group: the group's first one.
+/// The corner that stands for the group of `corner`: the group's first corner.
 std::uint32_t first_of(std::vector<std::uint32_t>& groups, std::uint32_t corner) {
     while (groups[corner] != corner)
         corner = groups[corner] = groups[groups[corner]];
@@ -60,7 +60,8 @@ crease_normals::crease_normals(const l3d_polygon_mesh& mesh, std::span<const vec
     }
 }
 
-/// Whether two faces are smooth at an edge. A face without area has no normal that could differ.
+/// Whether two faces that share an edge are smooth there. A face without area has no normal that
+/// could differ.
 bool crease_normals::is_smooth(std::uint32_t face, std::uint32_t other) const {
     const direction &a = of_faces_[face], &b = of_faces_[other];
     return l3d_dot(a, b) >= least_cosine_ || l3d_dot(a, a) == 0 || l3d_dot(b, b) == 0;

@@ -12,26 +12,29 @@
 
 namespace l3d_detail {
 
-/// Finds the normals of corners that differ from those of their vertices.
+/// Finds the faces' corners whose normals differ from their vertex's one normal, as at a crease,
+/// and these normals.
 ///
-/// Two faces that share an edge are smooth there if their normals are at most the crease angle
-/// apart. Faces around a vertex that smooth edges connect share a normal: the mean of their own,
-/// weighted by area. If smooth edges connect all of them, the vertex keeps its one normal.
+/// An edge is smooth if the normals of its two faces are at most the crease angle apart. Faces
+/// around a vertex that smooth edges connect share a normal there: the mean of their own normals,
+/// weighted by area. If smooth edges connect all faces around a vertex, the vertex keeps its one
+/// normal.
 /// Cost: k log k for a vertex of k faces.
 class crease_normals {
 public:
     using vector = l3d_polygon_mesh::vector;
     using direction = l3d_vector<float, 3>;
 
-    /// `areas` are the faces' area vectors. `of_faces` and `of_vertices` are unit vectors.
+    /// Finds the normals for a mesh. `areas` are the faces' area vectors. `of_faces` and
+    /// `of_vertices` are the unit normals of faces and vertices. `crease_angle` is in degrees.
     crease_normals(const l3d_polygon_mesh& mesh, std::span<const vector> areas,
                    std::span<const direction> of_faces, std::span<const direction> of_vertices,
                    double crease_angle);
 
-    /// Whether no corner has a normal of its own.
+    /// Whether all corners have the normals of their vertices.
     bool empty() const { return normals_.empty(); }
 
-    /// The normals of corners, unit vectors.
+    /// The normals that differ from those of vertices, as unit vectors.
     std::span<const direction> normals() const { return normals_; }
 
     /// The index in normals() for a face's corner at a vertex; `none` if it has the vertex's
@@ -41,11 +44,11 @@ public:
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
 private:
-    /// A face that has a corner at a vertex, and the face's vertices before and after that corner.
+    /// A corner of a face: the face, and the face's vertices before and after the corner.
     struct corner {
         std::uint32_t face, before, after;
     };
-    /// A face at a vertex, and the index of its normal there.
+    /// A face at a vertex, and the index in normals_ of the face's normal at this vertex.
     struct place {
         std::uint32_t vertex, face, normal;
         friend auto operator<=>(const place&, const place&) = default;
@@ -58,15 +61,16 @@ private:
     std::span<const direction> of_faces_;
     float least_cosine_, least_of_mean_;
     std::vector<direction> normals_;
-    std::vector<place> places_; ///< sorted, for binary search
+    std::vector<place> places_; ///< all corners with normals that differ, sorted for binary search
 
     struct end {
         std::uint32_t vertex, corner;
         friend auto operator<=>(const end&, const end&) = default;
     };
-    /// The edges around a vertex, by their other ends; kept for their memory.
+    /// The edges around a vertex, each by its other end; kept to reuse the memory.
     std::vector<end> ends_;
-    std::vector<std::uint32_t> groups_; ///< for each corner, another one of its group
+    /// For each corner around a vertex, another corner of its group.
+    std::vector<std::uint32_t> groups_;
     std::vector<vector> sums_;
     std::vector<std::uint32_t> numbers_;
 };

@@ -11,7 +11,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// Cuts a face into triangles, ear by ear. The corners that are left form a ring.
+/// Cuts a face into triangles, ear by ear. The corners that are not cut off yet form a ring.
 class ear_clipper {
 public:
     explicit ear_clipper(std::span<const flat_place> places)
@@ -50,9 +50,10 @@ private:
             flat_.push(corner);
     }
 
-    /// Whether the face's border at corner p, in or on a triangle, enters the triangle's inside. A
-    /// border that enters across the diagonal between a and c must leave at a corner inside, or at
-    /// b. Those corners are tested, too.
+    /// Whether the face's border at corner p enters the inside of a triangle a, b, c. p lies in the
+    /// triangle or on its sides; `turns` are those of corner_tree. A border that enters across the
+    /// diagonal between a and c must leave at a corner inside, or at b. Such corners are tested,
+    /// too.
     bool blocks(const flat_face::triangle& triangle, std::size_t p,
                 const std::array<wide_integer, 3>& turns) const {
         const bool inside_ab = turns[0] > 0, inside_bc = turns[1] > 0, on_ca = turns[2] == 0;
@@ -66,8 +67,8 @@ private:
         return (inside_ab && inside_bc) || enters(previous_[p]) || enters(next_[p]);
     }
 
-    /// The first corner of a queue for which `still` holds; 0 if there is none, since corner 0 is
-    /// never cut off.
+    /// Takes corners off a queue until `still` holds for the first one, and returns this corner. It
+    /// returns 0 if there is none, since corner 0 is never cut off.
     template <class Queue, class Still>
     static std::size_t first_of(Queue& queue, const Still& still) {
         while (!queue.empty()) {
@@ -79,9 +80,9 @@ private:
         return 0;
     }
 
-    /// The next corner to cut off: the first ear. If there is none, it is a corner whose triangle
-    /// covers nothing: one between two others on a line, or at the tip of a spike. A face that
-    /// crosses itself may have neither.
+    /// The next corner to cut off: the first ear. If there is no ear, it is a corner whose triangle
+    /// has no area: a corner on the line between its neighbours, or at the tip of a spike. A face
+    /// that crosses itself may have no such corner either.
     std::size_t next_ear() {
         const auto is_ear = [&](std::size_t corner) { return bool(is_ear_[corner]); };
         if (const std::size_t ear = first_of(ears_, is_ear))
@@ -123,12 +124,13 @@ private:
     std::vector<std::size_t> next_, previous_;
     std::size_t left_;
     std::vector<bool> is_ear_, is_cut_;
-    /// Corners that were ears, or flat, when they were judged; the lowest index is on top.
+    /// A queue of corners that were ears, or had flat triangles, when they were tested; the lowest
+    /// index is on top.
     using queue =
         std::priority_queue<std::size_t, std::vector<std::size_t>, std::greater<std::size_t>>;
     queue ears_, flat_;
-    /// The most surveys, each of which judges all corners. Faces that cross themselves run out of
-    /// ears again and again.
+    /// The largest number of surveys, each of which tests all corners. Faces that cross themselves
+    /// run out of ears again and again.
     static constexpr int most_surveys = 16;
     int surveys_ = 0;
     std::vector<flat_face::triangle> triangles_;

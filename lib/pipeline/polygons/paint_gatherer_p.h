@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// Gives each triangle of painted models a name, by which rasterizers find its paint. A name is a
-/// number beyond those of the frame's materials.
+/// Gives each triangle of painted models a name, by which rasterizers find the triangle's paint: a
+/// picture, or colours of vertices. A name is a number beyond those of the frame's materials.
 /// Lives: borrows the settings and the paints that it fills.
 class paint_gatherer {
 public:
@@ -25,10 +25,10 @@ public:
             out.filter = *settings.textures;
     }
 
-    /// Adds a model, and returns the name of its first triangle. It adds nothing if the model has
-    /// no paint, if the settings want none, or if there are not enough names left. Faces then have
-    /// the colours of their materials.
-    /// Lives: the model is borrowed as long as the paints are in use.
+    /// Adds a model, and returns the name of its first triangle. It adds nothing, and returns
+    /// nothing, if the model has no paint, if the settings want none, or if too few names are left.
+    /// Faces then have the colours of their materials.
+    /// Lives: the model must live as long as the paints are in use.
     std::optional<std::uint32_t> add(const l3d_polygon_model& model, const l3d_polygon_view& view,
                                      std::uint32_t first_material) {
         const auto painted = model.painted();
@@ -50,12 +50,12 @@ public:
         return first;
     }
 
-    /// The paints for rasterizers: null if nothing was added.
+    /// The paints for rasterizers: null if no model was added.
     const l3d_face_paints* paints() const { return out_.models.empty() ? nullptr : &out_; }
 
 private:
-    /// The view's matrix, with places counted from the picture's top left corner instead of its
-    /// middle.
+    /// The view's matrix from the model to the picture, with places counted from the picture's top
+    /// left corner instead of its middle.
     static l3d_matrix<double> from_corner(const l3d_polygon_view& view) {
         l3d_matrix<double> m = view.matrix();
         for (int column = 0; column < 4; ++column) {

@@ -24,8 +24,8 @@ std::array<double, 3> numbers(const point& p) {
     return {p[0], p[1], p[2]};
 }
 
-/// Whether a boundary is evaluated from its other end, so that both of its patches get the same
-/// points.
+/// Whether a boundary curve is evaluated from its other end, so that the patches on both sides get
+/// the same points.
 bool runs_backwards(const curve& c) {
     for (std::size_t i = 0; i < 2; ++i) {
         const auto from = numbers(c.points[i]), to = numbers(c.points[3 - i]);
@@ -35,7 +35,7 @@ bool runs_backwards(const curve& c) {
     return false;
 }
 
-/// The point at i / n of a boundary.
+/// The point at parameter i / n of a boundary curve.
 point boundary_point(curve c, int i, int n) {
     if (runs_backwards(c)) {
         std::ranges::reverse(c.points);
@@ -52,15 +52,16 @@ point surface_point(const patch& p, int column, int row, int n) {
     return p.evaluate(static_cast<double>(column) / n, static_cast<double>(row) / n);
 }
 
-/// The unit normal of a grid's point, or zero where there is none.
+/// The unit normal at point (column, row) of a patch's grid of n by n quads, or zero if there is
+/// none.
 point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
     const std::array<float, 3> unit = l3d_unit_normal(
         normals.evaluate(static_cast<double>(column) / n, static_cast<double>(row) / n));
     return {unit[0], unit[1], unit[2]};
 }
 
-/// Turns normals to the side of the facets around them. Normals and facets may disagree where a
-/// patch folds within less than a facet, as the teapot does at the top of its knob.
+/// Reverses normals that point to the back of the facets around them. This happens where a patch
+/// folds within less than a facet, as the teapot does at the top of its knob.
 void turn_to_faces(l3d_polygon_mesh& mesh) {
     std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
     for (std::size_t f = 0; f < mesh.faces(); ++f) {
@@ -76,7 +77,7 @@ void turn_to_faces(l3d_polygon_mesh& mesh) {
             mesh.vertex_normals[i] *= -1.0;
 }
 
-/// Adds vertices to a mesh, and those of boundaries once for all patches.
+/// Adds vertices to a mesh. Vertices on boundaries are added once for all patches.
 class vertex_store {
 public:
     explicit vertex_store(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
@@ -87,7 +88,8 @@ public:
         return static_cast<std::uint32_t>(mesh_.vertices.size() - 1);
     }
 
-    /// The vertex of that place and normal, added if missing. A crease has several at one place.
+    /// The index of the vertex with this place and normal, which is added if it is missing. At a
+    /// crease, several vertices have one place.
     std::uint32_t shared(const point& at, const point& normal) {
         // Two patches that join smoothly have normals that differ by roundings, and by the
         // inaccuracy of their control points. A thousandth of a radian is a quarter of a grey

@@ -186,7 +186,7 @@ std::vector<l3d_viewer_row> l3d_pipeline_polygons::own_rows() {
             {"v", "perspective, parallel", {{'v', [this] { controls_.switch_projection(); }}}}};
 }
 
-/// Resets the view and the model's turn, which belongs to the view. Colours stay as they are.
+/// Resets the model's turn, which belongs to the view. Colours stay as they are.
 void l3d_pipeline_polygons::reset_view() {
     settings_.rotation = first_settings_.rotation;
 }

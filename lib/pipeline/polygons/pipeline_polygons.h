@@ -24,23 +24,23 @@
 class l3d_polygon_frame;
 class l3d_polygon_wires;
 
-/// The way in which faces are shown.
+/// The way in which a model's faces are drawn.
 enum class L3D_PUBLIC l3d_polygon_style {
-    solid,        ///< faces, filled
+    solid,        ///< filled faces
     wireframe,    ///< the sides of all faces that are not culled
-    hidden_lines, ///< the sides, without the parts that faces hide
+    hidden_lines, ///< the sides of faces, without the parts of sides that faces hide
 };
 
-/// The answer of l3d_pipeline_polygons::why_empty if all faces were left out because they are seen
-/// from behind.
+/// The text that l3d_pipeline_polygons::why_empty returns if all faces were left out because they
+/// are seen from behind.
 inline constexpr const char* l3d_turning_its_back = "turning its back";
 
-/// The settings by which a model is drawn.
+/// The settings by which l3d_pipeline_polygons draws a model.
 struct L3D_PUBLIC l3d_polygon_settings {
     /// Whether faces are filled, or drawn as lines.
     l3d_polygon_style style = l3d_polygon_style::solid;
 
-    /// The way in which surfaces get their colours.
+    /// The way in which filled faces get their colours.
     l3d_shade shade = l3d_shade::lambert;
 
     /// The direction towards the light. Units: world space, any length.
@@ -49,25 +49,27 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The colours of lights, and further lights.
     l3d_lighting lighting{};
 
-    /// Whether one light goes with the eye (l3d_headlight), in place of `light` and `lighting`, so
-    /// that no side is in the dark.
+    /// Whether one light goes with the eye, so that no side that is seen is in the dark. It
+    /// replaces `light` and the further lights of `lighting`.
     bool headlight = false;
 
-    /// The model's turn about x, y and z, through the middle of its box. Units: degrees.
+    /// The angles by which the model is turned about the directions x, y and z, through the middle
+    /// of the model's box. Units: degrees.
     l3d_vector<double, 3> rotation{0.0, 0.0, 0.0};
 
-    /// The order of these turns.
+    /// The order of the three turns of `rotation`.
     l3d_rotation_order rotation_order = l3d_rotation_order::xyz;
 
-    /// A material for all faces, in place of the model's own. Its picture is not shown.
+    /// A material for all faces, in place of the model's own. A picture of this material is not
+    /// shown.
     std::optional<l3d_material> material{};
 
-    /// The way to look up pictures on faces; nothing if none are to be shown.
+    /// The way to look up the colours of pictures on faces; nothing if no pictures are to be shown.
     std::optional<l3d_texture_filter> textures = l3d_texture_filter::anisotropic;
 
-    /// Whether faces that are seen from behind are left out. Else both sides of all faces are
-    /// shown, with the normals turned to the eye. Backs inside of closed bodies cost nothing in
-    /// both cases, since their fronts hide them.
+    /// Whether faces that are seen from behind are left out. Otherwise both sides of all faces are
+    /// drawn, with the normals turned to the eye. Faces of closed bodies that are seen from behind
+    /// cost nothing in both cases, since the bodies' fronts hide them.
     bool cull = false;
 
     /// The picture's colours where nothing is drawn.
@@ -76,20 +78,21 @@ struct L3D_PUBLIC l3d_polygon_settings {
     /// The fog that far surfaces and lines fade into.
     l3d_fog fog{};
 
-    /// Whether edges and lines are smooth: means over pixels, not stairs.
+    /// Whether edges and lines are smooth: pixels at edges show the mean light over their squares
+    /// (l3d_shading::antialias).
     bool antialias = true;
 
-    /// Whether the number of covered pixels is reported.
+    /// Whether the report has the number of pixels that faces cover.
     bool count_pixels = false;
 
-    /// The number of drawing threads, as for l3d_workers. It is constant from the first frame
-    /// on.
+    /// The number of drawing threads, as for l3d_workers. Changes after the pipeline's construction
+    /// have no effect.
     int threads = l3d_usual_threads();
 };
 
-/// Draws a model of polygons; a subclass finds which polygon is in front.
+/// Draws a model of polygons. A subclass finds which polygon is in front.
 ///
-/// It has the controls that its help overlay lists.
+/// Keys and mouse turn, zoom and inspect the model; the help lists them.
 /// Expects: a valid camera; light not zero; a shade of normals (l3d_shades_of_normals), as polygons
 ///          have neither bounds nor exact derivatives.
 /// Lives:   owns screen, rasterizers and workers; shares the model.
@@ -102,34 +105,33 @@ public:
     /// The canvas's letters, for text in draw_overlay.
     const l3d_font& font() const { return font_; }
 
-    /// The report of the last frame drawn; each call computes the hash.
+    /// The report of the last frame. Each call computes the hash of the picture.
     l3d_polygon_report report() const;
 
-    /// The eye that the next frame is drawn for; a reference to change it. The next draw_event
-    /// draws what camera and settings say then. A program with a dispatcher calls redraw() after a
-    /// change.
+    /// The camera that the next frame is drawn for, for the program to change. A program with a
+    /// dispatcher calls redraw() after a change of camera or settings.
     l3d_camera& camera() { return camera_; }
-    /// How the model is to be drawn; a reference to change it.
+    /// The settings that the next frame is drawn by, for the program to change.
     l3d_polygon_settings& settings() { return settings_; }
     /// Draws another model from the next frame on. Expects: no frame is being drawn.
     void take_model(const l3d_polygon_model& model);
-    /// Asks for the next frame to be drawn: camera or settings may differ.
+    /// Asks for a new picture, since camera or settings have changed.
     void redraw() { stale_ = true; }
 
-    /// Moves the camera along the line of sight, and beside it, so that the whole model is seen:
-    /// l3d_framed.
+    /// Moves the camera forwards or back, and sideways, without turning it, so that the picture
+    /// shows the whole model (l3d_framed).
     void frame_all();
 
-    /// Returns `usual` if it shows the model well (l3d_shows_well), else a camera that shows the
-    /// whole model.
+    /// Returns the camera `usual` if it shows the model well (l3d_shows_well), else a camera that
+    /// shows the whole model.
     l3d_camera framed_unless_well(const l3d_camera& usual) const;
 
     /// The reason why the last picture shows nothing: the text of l3d_why_unseen,
     /// l3d_turning_its_back or l3d_without_area. It is "" if the picture may show something.
     std::string why_empty() const;
 
-    /// Finds the face at (x, y) of the picture: l3d_polygon_pick_at, with the present camera and
-    /// settings.
+    /// Finds the face that is seen at (x, y) of the picture, by l3d_polygon_pick_at with the
+    /// present camera and settings. The result is nothing if no face is there.
     std::optional<l3d_polygon_pick> pick(double x, double y) const;
 
     /// The viewer's keys, mouse and lines of text.
@@ -158,14 +160,15 @@ public:
     std::string take_remark() override { return workers_.take_shortage(); }
 
 protected:
-    /// The inputs of a frame.
+    /// The inputs of a frame, for the subclass that draws it.
     struct scene {
-        l3d_pixels target;                       ///< the picture, to be written to
-        const l3d_polygon_frame& frame;          ///< the model's triangles in the picture
-        std::span<const l3d_material> materials; ///< materials of these; none if all are plain
-        l3d_shading shading;                     ///< light, and the way to shade
-        bool count_pixels;                       ///< whether covered pixels are counted
-        bool smooth_lines;                       ///< whether sides are drawn as smooth lines
+        l3d_pixels target;              ///< the picture to draw into
+        const l3d_polygon_frame& frame; ///< the model's triangles in the picture
+        /// Materials of the triangles; empty if all are plain.
+        std::span<const l3d_material> materials;
+        l3d_shading shading; ///< lights, and the way to shade
+        bool count_pixels;   ///< whether covered pixels are to be counted
+        bool smooth_lines;   ///< whether the sides of faces are drawn as smooth lines
     };
 
     /// A pipeline that draws this model on this canvas. Errors: as l3d_workers and
@@ -173,29 +176,31 @@ protected:
     l3d_pipeline_polygons(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                           const l3d_polygon_settings& settings);
 
-    /// The report of the previous frame, without the hash, for draw_overlay of the present one.
+    /// The report of the present frame for draw_overlay, without the hash. Times after drawing the
+    /// model are not known yet.
     const l3d_polygon_report& last_report() const { return report_; }
 
-    /// The rasterizer for draw_overlay: it draws points, lines and polygons on the picture.
+    /// The rasterizer by which draw_overlay draws points, lines and polygons on the picture.
     l3d_rasterizer_2d& rasterizer() { return rasterizer_; }
 
-    /// Draws on top of the finished model; timed as `overlay`. The viewer's panels lie on top of
-    /// it, and keep clear of standing_panel().
+    /// Draws on top of the finished model; the report counts its time as `overlay`. The viewer's
+    /// panels are drawn afterwards, and do not cover standing_panel().
     virtual void draw_overlay() {}
 
-    /// A panel that a subclass has in every picture. The viewer's panels keep clear of it.
+    /// A panel that a subclass shows in every picture. The viewer's own panels do not cover it.
     virtual l3d_standing_panel standing_panel() { return {}; }
 
     /// The threads that draw.
     l3d_workers& workers() { return workers_; }
 
 private:
-    /// Both functions below draw the whole picture, and add to the report's times and counts.
+    /// draw_solid and draw_hidden_lines draw the whole picture, and add to the report's times and
+    /// counts.
     virtual void draw_solid(const scene& what, l3d_polygon_report& report) = 0;
     virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
     virtual const char* name() const = 0;
-    /// Whether the frame needs parts (l3d_polygon_frame::parts), with or without its list of
-    /// triangles.
+    /// Whether draw_solid or draw_hidden_lines needs the frame's parts (l3d_polygon_frame::parts).
+    /// Without parts, they use its list of triangles alone.
     virtual bool draws_parts(const l3d_shading&) const { return true; }
 
     void draw_model(l3d_polygon_report& report);

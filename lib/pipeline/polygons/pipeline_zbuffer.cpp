@@ -20,8 +20,8 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model 
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
-/// Copies the pointer to the factory. The canvas may be its only owner, and is moved away before
-/// surfaces are made.
+/// Copies the pointer to the canvas's factory. The canvas may be the factory's only owner, and is
+/// moved away before surfaces are made.
 l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model,
                                            const l3d_camera& camera,
                                            const l3d_polygon_settings& settings)
@@ -47,7 +47,8 @@ void l3d_pipeline_zbuffer::fill(const scene& what, l3d_depth_buffer* depth,
     report.renderer = rasterizer.describe();
 }
 
-/// The rasterizer for a shading. GL lacks the library's fog, so processors draw such frames.
+/// The rasterizer for a shading. OpenGL does not have l3d's fog, so l3d's own rasterizer draws
+/// frames with fog.
 l3d_surface_rasterizer& l3d_pipeline_zbuffer::rasterizer_for(const l3d_shading& shading) {
     if (!shading.fog.is_on() || rasterizer_->inspects())
         return *rasterizer_;

@@ -14,8 +14,8 @@
 
 struct l3d_painter_triangle;
 
-/// Draws polygons in any order; a depth buffer says in each pixel which one is nearest. The surface
-/// rasterizer is the CPU's or Mesa's.
+/// Draws polygons in any order; a depth buffer tells which polygon is nearest in each pixel. The
+/// surface rasterizer is the library's own or Mesa's OpenGL.
 class L3D_PUBLIC l3d_pipeline_zbuffer : public l3d_pipeline_polygons {
 public:
     /// A pipeline that draws this model on this canvas, by the canvas's own rasterizers.
@@ -23,8 +23,8 @@ public:
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings);
 
-    /// A pipeline whose surfaces are filled by the rasterizers of `surfaces`, which may be of
-    /// another kind than the canvas's. `method` is its name in reports.
+    /// A pipeline that fills surfaces with the rasterizers of `surfaces`, which may be of another
+    /// kind than the canvas's. `method` is the pipeline's name in reports.
     /// Errors:  as l3d_rasterizer_factory::create_surface.
     l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model, const l3d_camera& camera,
                          const l3d_polygon_settings& settings,
@@ -46,7 +46,7 @@ private:
 
     const char* method_;
     std::unique_ptr<l3d_surface_rasterizer> rasterizer_;
-    std::unique_ptr<l3d_surface_rasterizer> with_fog_; ///< has fog, if `rasterizer_` has not
+    std::unique_ptr<l3d_surface_rasterizer> with_fog_; ///< draws fog, if `rasterizer_` cannot
     l3d_depth_buffer depth_;
     std::vector<l3d_painter_triangle> triangles_; ///< triangles with their sides, for hidden lines
 };

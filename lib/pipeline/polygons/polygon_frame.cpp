@@ -25,7 +25,7 @@ homogeneous placed(const l3d_matrix<double>& m, const vector& v) {
     return result;
 }
 
-/// A direction turned by a placement.
+/// A direction in the model, turned into the world by a placement.
 std::array<float, 3> turned(const l3d_matrix<double>& placement,
                             const l3d_polygon_model::direction& v) {
     std::array<float, 3> result;
@@ -35,15 +35,16 @@ std::array<float, 3> turned(const l3d_matrix<double>& placement,
     return result;
 }
 
-/// Copies a normal, turned round if `sign` is the sign bit. A branch could not be predicted.
+/// Copies a normal, and reverses the copy if `sign` is the sign bit. It has no branch, since the
+/// processor could not predict one.
 void turn_round(const placed_vertices::normal& normal, std::uint32_t sign, float* to) {
     for (std::size_t c = 0; c < 3; ++c)
         to[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(normal[c]) ^ sign);
 }
 
 /// Whether the box of a triangle holds a pixel centre of the window or, if `squares`, reaches into
-/// the window at all. It serves pieces of clipped triangles; choose_triangles does the same for
-/// whole ones.
+/// the window at all. It is used for pieces of clipped triangles; choose_triangles tests whole
+/// triangles in the same way.
 bool may_be_seen(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d_micro_vertex& c,
                  l3d_size size, bool squares) {
     const auto first = [squares](std::int32_t least) {
@@ -60,8 +61,8 @@ bool may_be_seen(const l3d_micro_vertex& a, const l3d_micro_vertex& b, const l3d
            std::max(top, 0) < std::min(bottom, size.height);
 }
 
-/// The window that cuts triangles. In a parallel projection w is 1 everywhere, so near and far cut
-/// nothing.
+/// The window that triangles are clipped to. In a parallel projection w is 1 everywhere, so the
+/// near and far planes cut nothing.
 l3d_dice_view window_of(const l3d_polygon_view& view) {
     l3d_dice_view window;
     window.size = view.size();
@@ -120,8 +121,8 @@ void l3d_polygon_frame::make(const l3d_polygon_model& model, const l3d_polygon_v
     }
 }
 
-/// Whether no back can be seen. The near plane may open a closed body and show its inside, so the
-/// ball around the model must lie beyond it.
+/// Whether no face can be seen from behind, since fronts hide all such faces. The near plane may
+/// open a closed body and show its inside, so the ball around the model must lie beyond this plane.
 bool l3d_polygon_frame::hides_backs(const l3d_polygon_model& model,
                                     const l3d_polygon_view& view) const {
     const double nearest = placed(view.matrix(), model.centre())[2] - model.radius() * (1 + 1e-9);
@@ -155,7 +156,7 @@ void l3d_polygon_frame::place_chunk(const frame_input& in, std::size_t index) {
     }
 }
 
-/// Adds the chosen triangles, except the last one if it must be clipped.
+/// Adds the chosen triangles to a chunk, except the last one if it must be clipped.
 void l3d_polygon_frame::add_whole(const frame_input& in, const chosen_triangles& chosen,
                                   chunk& to) {
     const std::size_t count = chosen.count - (chosen.clipped ? 1 : 0);
@@ -190,7 +191,8 @@ void l3d_polygon_frame::add_to_part(const frame_input& in, const chosen_triangle
     }
 }
 
-/// Notes the turns of the part's last `count` triangles in the picture.
+/// Notes in turns_ the directions in which the corners of the part's last `count` triangles go
+/// round in the picture.
 void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = all.count - count; i < all.count; ++i) {
@@ -201,8 +203,9 @@ void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
     }
 }
 
-/// Notes the sides beyond which no triangle turns in the same direction: there the surface may end
-/// or fold over. A triangle that covers nothing adds no sides, since its neighbours do.
+/// Notes, as the part's border, the sides of triangles beyond which no triangle's corners go round
+/// in the same direction: there the surface may end or fold over. A triangle that covers nothing
+/// adds no sides, since its neighbours do.
 void l3d_polygon_frame::make_border(chunk& of) const {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = 0; i < all.count; ++i) {
@@ -224,8 +227,8 @@ void l3d_polygon_frame::make_border(chunk& of) const {
     }
 }
 
-/// The normal of a face or, if shades are smooth, of its corner. It is turned round if the face is
-/// seen from behind.
+/// The normal of a triangle's face or, if shades are smooth, of its corner. It is reversed if the
+/// face is seen from behind.
 l3d_polygon_frame::normal l3d_polygon_frame::normal_of(const frame_input& in, std::size_t triangle,
                                                        std::size_t corner, bool from_behind) {
     const auto& of = in.how.smooth ? in.model.corner_normal(triangle, corner)
@@ -252,8 +255,8 @@ void l3d_polygon_frame::add_piece(const frame_input& in, std::size_t number,
         to.part.triangles.add(v[0], v[1], v[2], material);
 }
 
-/// Clips a triangle and adds its pieces. In a parallel projection, a clipped corner carries its
-/// depth as its parameter u.
+/// Clips a triangle and adds its pieces to a chunk. In a parallel projection, a clipped corner
+/// carries its depth in place of its parameter u.
 void l3d_polygon_frame::add_clipped(const frame_input& in, std::size_t number, bool from_behind,
                                     chunk& to) {
     const l3d_model_triangle& triangle = in.model.triangles()[number];

@@ -23,83 +23,87 @@
 #include <vector>
 
 /// Finds the triangles of a model that may be seen, and places them in the picture. It projects
-/// each vertex once, then leaves out faces that are not seen, and clips some.
+/// each vertex once, and leaves out triangles that cannot be seen. It clips triangles that cross
+/// the near plane or reach too far out of the picture.
 ///
-/// Projection is in double for every number type, then rounded to 1/256 pixel; l3d_real serves only
-/// numbers that are stepped. In a parallel projection, inv_w is not 1 / distance. It is 2 at the
-/// nearest and 1 at the farthest end of the model's sphere, linear in between, as rasterizers need
-/// it.
+/// Places are computed in double for every type of l3d_real, then rounded to 1/256 pixel. In a
+/// parallel projection, inv_w is not 1 / distance. It is 2 at the nearest and 1 at the farthest
+/// point of the sphere around the model, and linear in between.
 /// Expects: workers, model and view outlive each make().
-/// Cost:    keeps its memory: 32 bytes per vertex and 8 per triangle drawn, 72 more in parts. For
-///          anti-aliasing, 13 more per triangle of the model.
+/// Cost:    memory, which is kept for the next frame: 32 bytes per vertex, 8 per drawn triangle,
+///          and 72 more per triangle in parts. Anti-aliasing takes 13 more per triangle of the
+///          model.
 class l3d_polygon_frame {
 public:
-    /// The choice of triangles, and their form.
+    /// Which triangles make() chooses, and in which form it keeps them.
     struct way {
         /// Whether faces seen from behind are left out.
         bool cull = true;
-        /// Whether vertices have their own normals; else each corner has its face's.
+        /// Whether corners have the normals of the model's vertices; otherwise each has its face's.
         bool smooth = false;
-        /// Whether triangles that hold no pixel's centre are kept, and borders of parts are made.
+        /// Whether triangles that hold no pixel's centre are kept, and border edges of parts are
+        /// made.
         bool antialias = false;
-        /// Whether parts are made. Else triangles can only be listed. Expects: true for
+        /// Whether parts() are made. If not, list() still lists triangles. Expects: true for
         /// anti-aliasing.
         bool parts = true;
-        /// Whether faces seen from behind are left out even without `cull`, if closed bodies hide
-        /// them all.
+        /// Whether faces seen from behind are left out even without `cull`, if the model consists
+        /// of closed bodies whose fronts hide all of them.
         bool cull_hidden = false;
         /// The index of the model's first material among the picture's materials.
         std::uint32_t first_material = 0;
-        /// The index of the first triangle's own material, if each triangle has one
+        /// The name of the model's first triangle, if each triangle has a name for its paint
         /// (l3d_face_paints). Expects: the model has materials.
         std::optional<std::uint32_t> first_painted{};
     };
 
-    /// Makes the frame. Part i holds the model's triangles from `ends[i - 1]` up to `ends[i]`.
-    /// Without ends, parts are of a size that suits the workers.
+    /// Makes the frame. `ends` divide the model's triangles into parts: part i holds triangles from
+    /// `ends[i - 1]` up to `ends[i]`. Without ends, parts have a size that suits the workers.
     void make(const l3d_polygon_model& model, const l3d_polygon_view& view, const way& how,
               l3d_workers& workers, std::span<const std::size_t> ends = {});
 
-    /// Sets the pixel word that mode `error` shows for a part.
+    /// Sets the pixel word that the shade l3d_shade::error shows for a part.
     void set_error_color(std::size_t part, std::uint32_t word) {
         chunks_[part].part.error_color = word;
     }
 
-    /// Triangles ready for a rasterizer, without grids. There are none if parts were not asked for.
+    /// The frame's triangles in the form that rasterizers take, without grids. Empty if way::parts
+    /// was false.
     /// Lives: until the next make.
     std::span<const l3d_surface_part* const> parts() const { return parts_; }
 
-    /// Lists the triangles of all parts one by one. Each tells which of its sides are sides of its
-    /// face. A clipped triangle has the outline of the part that is left.
+    /// Lists the triangles of all parts one by one. Each triangle tells which of its sides are
+    /// sides of its face. A clipped triangle comes as pieces, with the outline of the polygon that
+    /// clipping leaves.
     /// Expects: model and view of the last make are still there.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
-    /// The ends of the parts in that list.
+    /// The ends of the parts in the list of list(): part i ends before triangle ends()[i].
     std::vector<std::size_t> ends() const;
-    /// Lists the triangles of one part. Expects: `out` has as many elements as the part has
-    /// triangles.
+    /// Writes the triangles of one part to `out`.
+    /// Expects: `out` has as many elements as the part has triangles.
     void list_part(std::size_t part, std::span<l3d_painter_triangle> out) const;
 
     const l3d_polygon_counts& counts() const { return counts_; }
 
 private:
     /// The wanted number of chunks, and the least and the largest number of triangles in a chunk.
-    /// Without `ends`, a worker takes a chunk at a time, and a chunk is one part. The smallest
-    /// takes some 10^4 cycles. 16 chunks give workers even shares. Larger chunks would not stay in
-    /// a cache of the second level.
+    /// Workers take one chunk at a time, and without `ends` a chunk is one part. 16 chunks give
+    /// workers even shares. The smallest chunk takes some 10^4 cycles. Chunks larger than the
+    /// largest would not stay in a cache of the second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {
         l3d_surface_part part;
-        /// The drawn triangles' numbers in the model. Pieces of a clipped triangle follow each
-        /// other.
+        /// The number in the model of each drawn triangle or piece. Pieces of a clipped triangle
+        /// follow each other.
         std::vector<std::uint32_t> names;
-        /// How to draw each of `names`. For a whole triangle it is 0, or the sign bit of a float if
-        /// it is seen from behind. For a piece of a clipped triangle it is 1 more than the index in
-        /// `pieces`.
+        /// How to draw each of `names`. For a whole triangle the value is 0, or the sign bit of a
+        /// float if the triangle is seen from behind. For a piece of a clipped triangle the value
+        /// is 1 more than the piece's index in `pieces`.
         std::vector<std::uint32_t> signs;
-        std::vector<l3d_painter_triangle> pieces; ///< pieces of clipped triangles
-        l3d_diced_piece clipped;                  ///< pieces of one triangle
+        std::vector<l3d_painter_triangle> pieces; ///< pieces of all clipped triangles of the chunk
+        l3d_diced_piece clipped;                  ///< pieces of the triangle that is being clipped
         l3d_polygon_counts counts;
     };
 
@@ -109,7 +113,7 @@ private:
         l3d_dice_view window;
         way how;
         std::span<const std::size_t> ends;
-        std::size_t in_chunk; ///< triangles in a chunk without ends
+        std::size_t in_chunk; ///< number of triangles in a chunk, if there are no ends
     };
 
     using normal = std::array<float, 3>;
@@ -141,9 +145,9 @@ private:
     std::optional<frame_input> input_; ///< input of the last make
     l3d_detail::placed_vertices vertices_;
     l3d_detail::triangle_neighbours neighbours_;
-    std::vector<turn> turns_; ///< turn of each model triangle, for anti-aliasing
+    std::vector<turn> turns_; ///< the turn of each of the model's triangles, for anti-aliasing
     std::vector<chunk> chunks_;
-    std::size_t count_ = 0; ///< chunks that are in use
+    std::size_t count_ = 0; ///< number of chunks that are in use
     std::vector<const l3d_surface_part*> parts_;
     l3d_polygon_counts counts_;
     l3d_view_depths depths_;

@@ -22,7 +22,7 @@ namespace {
 using vector = l3d_polygon_model::vector;
 using direction = l3d_polygon_model::direction;
 
-/// The unit vector of v, or zero for zero. Lengths beyond 2^511, or below its inverse, have squares
+/// The unit vector of v, or zero if v is zero. Lengths above 2^511 or below 2^-511 have squares
 /// that do not fit doubles.
 direction unit(const vector& v) {
     const double largest = std::max({std::abs(v[0]), std::abs(v[1]), std::abs(v[2])});
@@ -34,7 +34,8 @@ bool is_zero(const vector& v) {
     return v[0] == 0 && v[1] == 0 && v[2] == 0;
 }
 
-/// The sides that a triangle shares with its face of `size` corners: bit k for corners k and k + 1.
+/// The sides that a triangle shares with its face, which has `size` corners. Bit k stands for the
+/// side from corner k to k + 1.
 std::uint32_t sides_of(const l3d_detail::flat_face::triangle& corners, std::size_t size) {
     std::uint32_t sides = 0;
     for (std::size_t k = 0; k < 3; ++k)
@@ -79,7 +80,7 @@ l3d_polygon_model::contents::contents(l3d_polygon_mesh of, bool to_origin, doubl
     make_painted();
 }
 
-/// Measures the box of the vertices in use; the others may be anywhere.
+/// Measures the box and the radius of the vertices that faces use. Other vertices may lie anywhere.
 void l3d_polygon_model::contents::measure() {
     std::vector<bool> is_seen(mesh.vertices.size(), mesh.corners.empty());
     for (const std::uint32_t corner : mesh.corners)
@@ -102,7 +103,8 @@ void l3d_polygon_model::contents::measure() {
             radius = std::max(radius, l3d_length(mesh.vertices[k] - centre()));
 }
 
-/// Gives faces that look alike one material. If all are plain, there are no materials.
+/// Makes the list of materials: faces that look alike share one. If all faces are plain, the list
+/// is empty.
 void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> looks) {
     materials.clear();
     materials_of_faces.clear();
@@ -129,8 +131,8 @@ void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> l
         materials.clear();
 }
 
-/// Makes painted triangles if vertices have colours or textures were read. If nobody has read the
-/// pictures, there is no need to look at each pixel.
+/// Makes the list of painted triangles if vertices have colours or textures were read. Otherwise
+/// the list is empty, so that rasterizers need not look for paint at each pixel.
 void l3d_polygon_model::contents::make_painted() {
     painted.clear();
     const bool has_texture = std::ranges::any_of(materials, [&](const l3d_material& material) {
@@ -270,9 +272,10 @@ void l3d_polygon_model::contents::make_facing_blocks() {
     }
 }
 
-/// Turns normals to the side from which corners run counterclockwise, whatever a file takes for its
-/// outside. So the visible side is lit. Where a surface folds over, faces around one vertex need
-/// opposite normals, since light interpolated between opposite normals would be dark.
+/// Turns the mesh's own normals to the side from which faces' corners run counterclockwise, so that
+/// the visible side is lit. A file may take the other side for the outside. Where a surface folds
+/// over, faces around one vertex get opposite normals, since light interpolated between opposite
+/// normals would be dark.
 void l3d_polygon_model::contents::turn_normals_to_faces() {
     const auto side_of = [&](const l3d_model_triangle& t, std::size_t k) {
         return l3d_dot(face_normals[t.face], vertex_normals[t.corners[k]]);
@@ -350,7 +353,7 @@ l3d_polygon_model l3d_polygon_model::without(std::span<const std::size_t> parts)
     return shown(faces);
 }
 
-/// Cuts the model at a plane. It cuts triangles instead of faces, since these may be concave.
+/// Cuts the model at a plane. It cuts triangles instead of faces, since faces may be concave.
 l3d_polygon_model l3d_polygon_model::cut(const l3d_plane<double>& plane) const {
     l3d_polygon_mesh shown;
     shown.vertices = mesh().vertices;

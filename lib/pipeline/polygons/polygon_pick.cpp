@@ -14,8 +14,8 @@ namespace {
 using vector = l3d_camera::vector;
 
 constexpr double epsilon = 0x1p-53;
-/// Roundings of a coordinate along the ray, as a part of the sum of all terms' magnitudes. The
-/// matrix is good to 24 of them, turning the model adds 24, products and sums 8.
+/// Bound of the rounding of a coordinate along the ray, as a part of the sum of all terms'
+/// magnitudes. The matrix adds 24 roundings, turning the model 24, products and sums 8.
 constexpr double ray_rounding = 64 * epsilon;
 constexpr double world_rounding = 32 * epsilon;
 
@@ -28,7 +28,7 @@ vector largest_of(const vector& a, const vector& b) {
             std::max(std::abs(a[2]), std::abs(b[2]))};
 }
 
-/// Maps a model's point to two coordinates that are 0 along the ray, and to its depth.
+/// Maps a point of a model to two coordinates that are 0 on the ray, and to the point's depth.
 class seen_along_ray {
 public:
     seen_along_ray(const l3d_polygon_model& model, const l3d_polygon_view& view, double x, double y)
@@ -58,13 +58,13 @@ private:
     double x_, y_, reach_ = 0, error_ = 0;
 };
 
-/// The place where the ray crosses a triangle. The corners' weights are in proportion to three
-/// areas.
+/// The place where the ray crosses a triangle, as weights of the corners. The weights are in
+/// proportion to three areas.
 struct crossing {
     std::array<double, 3> weights{};
     double error = 0, depth = 0;
 
-    /// Finds the crossing. False if the ray misses the triangle, or sees it edge on.
+    /// Finds the crossing. Returns false if the ray misses the triangle, or sees it edge on.
     bool find(const std::array<vector, 3>& seen, double error_of_seen) {
         std::array<double, 3> areas{};
         double sum = 0, largest = 0;

@@ -65,11 +65,11 @@ l3d_polygon_view::l3d_polygon_view(const l3d_camera& camera, l3d_size size,
     forward_ = turned_back(placement, camera.axes().forward);
 }
 
-/// Tests the plane through `middle` with the normal `axis`, with a margin for all others. Let n and
-/// q be the differences of a normal and of a point from `axis` and `middle`. Then N . (eye - p) =
-/// axis . (eye - middle) + n . (eye - middle) - N . q. The last two terms are at most spread |eye -
-/// middle| + reach. Rounding adds less than 2^-50 of these lengths, and a unit vector in floats may
-/// be 2^-22 too long; `added` is many times as much.
+/// Tests the plane through `middle` with the normal `axis`, with a margin for all other planes of
+/// the group. Let n and q be the differences of a normal and of a point from `axis` and `middle`.
+/// Then N . (eye - p) = axis . (eye - middle) + n . (eye - middle) - N . q. The last two terms are
+/// at most spread |eye - middle| + reach. Rounding adds less than 2^-50 of these lengths, and a
+/// unit vector in floats may be 2^-22 too long; `added` is many times as much.
 bool l3d_polygon_view::all_face(const vector& axis, double spread, const vector& middle,
                                 double reach, bool front) const {
     constexpr double added = 1e-6;

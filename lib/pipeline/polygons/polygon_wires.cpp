@@ -10,13 +10,14 @@
 
 namespace {
 
-/// A plane with the inner side n . (x, y, w) >= d. Drawn points are inside all six planes.
+/// A clipping plane, whose inner side is n . (x, y, w) >= d. Points that are drawn lie inside all
+/// six planes.
 struct clip_plane {
     double x, y, w, d;
 };
 using clip_planes = std::array<clip_plane, 6>;
 
-/// A place as l3d_polygon_view::matrix makes it.
+/// A place (x, y, d, w), as l3d_polygon_view::matrix makes it.
 struct homogeneous {
     double x, y, d, w;
 };
@@ -32,8 +33,9 @@ std::uint8_t outcode(const clip_planes& planes, const homogeneous& h) {
     return static_cast<std::uint8_t>(code);
 }
 
-/// Cuts a line at plane after plane; false if nothing is left. Each plane cuts at most one end: the
-/// end outside of it, whose code is then computed again.
+/// Clips the line from a to b at plane after plane. Returns false if nothing is left. code_a and
+/// code_b have a bit for each plane that the end is outside of. A plane cuts off at most one end;
+/// the code of the new end is computed again.
 /// Source:  Cohen and Sutherland, in Newman, Sproull: Principles of Interactive Computer Graphics.
 bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned code_a,
           unsigned code_b) {
@@ -113,7 +115,7 @@ std::span<const l3d_detail::wire> l3d_polygon_wires::make(const l3d_polygon_mode
     return lines_;
 }
 
-/// Whether an earlier triangle has drawn this side.
+/// Whether an earlier triangle of the model has drawn this side already.
 bool l3d_polygon_wires::is_of_one_before(const l3d_polygon_model& model, std::size_t triangle,
                                          std::size_t side) const {
     const std::uint32_t other = neighbours_.across(triangle, side);

@@ -13,15 +13,16 @@
 #include <span>
 #include <vector>
 
-/// Finds the lines of a frame in which a model is drawn as the sides of its faces.
+/// Finds the lines of a wireframe: the sides of a model's faces.
 ///
-/// Cost: keeps its memory: 40 bytes per vertex, 13 per triangle, 24 per line.
+/// Cost: memory, which is kept for the next frame: 40 bytes per vertex, 13 per triangle, 24 per
+///       line.
 class l3d_polygon_wires {
 public:
-    /// Makes one line for each side of a face that is not culled. It is cut where it reaches behind
-    /// the near plane, beyond the far one, or out of the guard band. A side that two faces share
-    /// comes once, since a smooth line that is drawn twice looks thicker.
-    /// Lives:   the lines until the next call.
+    /// Makes one line for each side of the faces that are not culled. Lines are cut where they
+    /// reach behind the near plane, beyond the far plane, or out of the guard band. A side that two
+    /// faces share becomes one line, since a smooth line that is drawn twice looks thicker.
+    /// Lives:   the lines live until the next call.
     std::span<const l3d_detail::wire> make(const l3d_polygon_model& model,
                                            const l3d_polygon_view& view, bool cull);
 
@@ -31,10 +32,10 @@ private:
 
     struct place {
         double x, y, d, w;
-        std::uint8_t outside; ///< a bit for each plane that it is beyond
+        std::uint8_t outside; ///< a bit for each clipping plane that the vertex is beyond
     };
     std::vector<place> places_;
-    std::vector<std::uint8_t> seen_; ///< for each triangle: 1 if it is not culled
+    std::vector<std::uint8_t> seen_; ///< for each triangle: 1 if the triangle is not culled
     l3d_detail::triangle_neighbours neighbours_;
     std::vector<l3d_detail::wire> lines_;
 };

@@ -14,7 +14,7 @@ namespace {
 
 using vector = l3d_camera::vector;
 
-/// The reach of the triangles' corners in the world; other vertices are not drawn.
+/// How far the corners of a model's triangles reach in the world. Other vertices are not drawn.
 l3d_reach reach_of(const l3d_polygon_model& model, const l3d_matrix<double>& placement) {
     return [&model, placement](const vector& direction) {
         // The direction in the model's coordinates, and the height of their origin.

@@ -34,8 +34,8 @@ std::vector<std::uint32_t> names_of_places(std::span<const l3d_polygon_model::ve
 
 } // namespace
 
-/// Finds the neighbours of a model. It compares the vertices' own indices first, since most models
-/// have each place once.
+/// Finds the neighbours of a model's triangles. It compares the vertices' own indices first, since
+/// most models have each place once.
 void triangle_neighbours::make(const l3d_polygon_model& model) {
     if (model.triangles().data() == model_.triangles().data() &&
         across_.size() == model.triangles().size())
@@ -83,7 +83,8 @@ bool triangle_neighbours::face_outward() const {
     return true;
 }
 
-/// Finds neighbours by the names of sides' ends. Returns whether each side has one.
+/// Finds neighbours by the names of sides' ends: vertices with the same name count as one. Returns
+/// whether each side has a neighbour.
 bool triangle_neighbours::match(std::span<const std::uint32_t> names) {
     const auto triangles = model_.triangles();
     across_.assign(triangles.size(), {none, none, none});

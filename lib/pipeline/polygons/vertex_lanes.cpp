@@ -23,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using some_floats = hn::Rebind<float, eight_doubles>;
 using some_integers = hn::Rebind<std::int32_t, eight_doubles>;
 
-/// One row of a matrix, each number in all lanes.
+/// One row of a matrix, with each of its numbers in all lanes of a vector.
 struct lane_row {
     number x, y, z;
 
@@ -31,7 +31,7 @@ struct lane_row {
         : x(same(m(row, 0))), y(same(m(row, 1))), z(same(m(row, 2))) {}
 };
 
-/// A row's product with a place, added up in the order of the scalar code.
+/// The product of a matrix's row and places in lanes, added up in the order of the scalar code.
 HWY_INLINE number placed(const lane_row& row, number offset, const vector& v) {
     return offset + row.x * v.x + row.y * v.y + row.z * v.z;
 }
@@ -45,13 +45,13 @@ HWY_INLINE number in_subpixels(number x, number reciprocal) {
     return x * reciprocal * same(l3d_subpixel_one);
 }
 
-/// Rounds to nearest, ties away from zero.
+/// Rounds to the nearest integer, and halves away from zero.
 HWY_INLINE hn::Vec<some_integers> rounded_lanes(number x) {
     const hn::Vec<eight_doubles> half = hn::Set(eight_doubles(), 0.5);
     return hn::DemoteTo(some_integers(), hn::Add(x.v, hn::CopySign(half, x.v)));
 }
 
-/// Places vertices, one vector of them at a time.
+/// Places vertices in the picture, one vector of them at a time.
 class vertex_placer {
 public:
     HWY_INLINE explicit vertex_placer(const vertex_placing& how)
@@ -105,7 +105,8 @@ private:
     const vertex_placing& how_;
 };
 
-/// Places vertices by whole vectors. The last few are copied to where a whole vector fits.
+/// Places vertices by whole vectors. The last few vertices are copied to an array in which a whole
+/// vector fits.
 void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model::vector> vertices,
                     std::span<const l3d_polygon_model::direction> normals, std::size_t begin,
                     std::size_t end, placed_vertices& to) {
@@ -134,7 +135,7 @@ void place_vertices(const vertex_placing& how, std::span<const l3d_polygon_model
     std::copy_n(turned_normals.begin(), rest, to.normals.begin() + static_cast<std::ptrdiff_t>(i));
 }
 
-/// The place of a triangle's box relative to the window.
+/// The position of a triangle's box relative to the window.
 enum class box_place { outside, subpixel, seen, clipped };
 
 #if HWY_TARGET == HWY_SCALAR
@@ -199,7 +200,7 @@ public:
     }
 
 private:
-    /// Whether the mask is set in the lane of columns and in the lane of rows.
+    /// Whether a mask is set both in the lane of columns and in the lane of rows.
     static HWY_INLINE bool both(hn::Mask<quad_integers> mask) {
         std::uint8_t bits[8] = {};
         hn::StoreMaskBits(quad_integers(), mask, bits);
@@ -211,7 +212,7 @@ private:
 
 #endif
 
-/// The visible side of some triangles.
+/// The side of some triangles that the eye sees.
 enum class seen_side { front, back, either };
 
 HWY_INLINE seen_side side_of(const l3d_facing_block& block, const l3d_polygon_view& view) {

@@ -7,12 +7,13 @@
 
 namespace {
 
-/// The shares of velocity and of spin that are left after one update of the book.
+/// The shares of velocity and of spin that damping leaves after one update of the book.
 constexpr double kept_velocity = 0.95;
 constexpr double kept_spin = 0.85;
 
-/// A step is at most half an update of the book. The fastest flight is over after ln(5400 / 0.01) /
-/// -ln 0.95 = 257 updates, which are 4.3 s. So a longer time takes no more steps than 10 s do.
+/// A step of motion is at most half an update of the book. The fastest flight is over after ln(5400
+/// / 0.01) / -ln 0.95 = 257 updates, which are 4.3 s. So a time of more than 10 s takes no more
+/// steps than 10 s.
 constexpr double steps_per_second = 2 * l3d_book_rate;
 constexpr double longest_flight = 10;
 
@@ -20,13 +21,13 @@ constexpr double twist_step = 5 * l3d_book_rate;
 constexpr double largest_velocity = 90 * l3d_book_rate;
 constexpr double largest_spin = 95 * l3d_book_rate;
 
-/// Slower motion counts as rest. The rest of the flight is below 0.01 / 60 * 19 = 0.0032 units, or
-/// 0.05 / 60 * 5.7 = 0.0048 degrees.
+/// Motion slower than this counts as rest. The way that is left out is below 0.01 / 60 * 19 =
+/// 0.0032 units, or 0.05 / 60 * 5.7 = 0.0048 degrees.
 constexpr double slowest_velocity = 0.01;
 constexpr double slowest_spin = 0.05;
 
-/// The least sine of the angle of two directions. With a smaller one, a float's rounding of 2^-24
-/// would decide the third axis.
+/// The least sine of the angle between the two directions of set_axes. With a smaller sine, a
+/// float's rounding of 2^-24 would decide the third axis.
 constexpr double least_sine = 0x1p-20;
 
 void add_up_to(double& velocity, double step, double limit) {
@@ -109,8 +110,8 @@ template <class T> bool l3d_moveable<T>::transform(const l3d_matrix<T>& m) {
     return true;
 }
 
-/// Makes the axes perpendicular by two cross products and two divisions: right follows from forward
-/// and up.
+/// Makes the axes perpendicular again, and of length 1, by two cross products and two divisions.
+/// The axis to the right follows from the two others.
 template <class T> void l3d_moveable<T>::straighten() {
     forward_ = l3d_normalized(forward_);
     right_ = l3d_normalized(l3d_cross(up_, forward_));

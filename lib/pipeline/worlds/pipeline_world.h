@@ -15,40 +15,41 @@
 #include <string>
 #include <vector>
 
-/// Rows for a program's caption: the keys of a world, and the mouse.
+/// Rows for a program's caption: the keys and the mouse of l3d_pipeline_world.
 L3D_PUBLIC std::vector<l3d_caption_row> l3d_world_keys();
 
-/// Shows a world, lets time pass in it, and flies through it by keys.
+/// Shows a world and lets time pass in it; the user flies through the world by keys and mouse.
 ///
-/// A world whose order is `by_depth` is filled by a surface rasterizer of the canvas's factory. It
-/// has as many threads as the world's `surfaces` ask for when the first such frame is drawn. If the
-/// user stops it, the world is frozen, and the camera can still fly.
+/// If the world's order is `by_depth`, a surface rasterizer of the canvas's factory fills the
+/// polygons. It has as many threads as the world's `surfaces` ask for when the first such frame is
+/// drawn. If the user stops the world, it is frozen, and the camera can still fly.
 class L3D_PUBLIC l3d_pipeline_world : public l3d_lesson {
 public:
-    /// Makes a world for pictures of a size.
+    /// A function that makes a world for pictures of a size.
     using maker = std::function<std::unique_ptr<l3d_world>(l3d_size)>;
 
-    /// Shows this world on that canvas. The user cannot start it again. Errors: as l3d_pipeline_2d.
+    /// Shows this world on this canvas. The user cannot start the world again. Errors: as
+    /// l3d_pipeline_2d.
     /// Lives: borrows the world.
     l3d_pipeline_world(l3d_canvas canvas, l3d_world& world);
 
-    /// Shows a world that `make` makes, now and whenever the user starts again. If the canvas is
-    /// not classic, a world of the order far_first is drawn by depth instead. It then has smooth
-    /// edges, on the dark ground of lessons.
+    /// Shows a world that `make` makes: now, and anew whenever the user starts again. If the canvas
+    /// is not classic, a world whose order is far_first is drawn by depth instead. Polygons then
+    /// have smooth edges, on the dark ground of lessons.
     /// Errors: as l3d_pipeline_2d; exceptions of `make`.
     l3d_pipeline_world(l3d_canvas canvas, maker make);
 
     void key_event(int key) override;
     void resize_event(l3d_size size) override;
     bool skip_event() override { return true; }
-    /// Whether the world is stopped and the camera stands still. A subclass with further motion
-    /// overrides it.
+    /// Whether the world is stopped and the camera stands still. A subclass in which other things
+    /// move overrides this function.
     bool is_at_rest() const override { return world_->frozen && !world_->camera.moves(); }
     std::string message() const override;
 
 protected:
-    /// Draws on top of the world's picture, such as instruments. The status lines come after it. A
-    /// subclass that overrides it need not call this one.
+    /// Draws on top of the world's picture, such as instruments. The lines of status are drawn
+    /// afterwards. A subclass that overrides this function need not call it.
     virtual void draw_overlay(l3d_rasterizer_2d& /*rasterizer*/) {}
 
 private:
@@ -67,7 +68,7 @@ private:
     void draw_status(l3d_rasterizer_2d& rasterizer);
     std::vector<std::string> status() const;
 
-    maker make_;                     ///< none for a world that is borrowed
+    maker make_;                     ///< makes the world; empty if the world is borrowed
     std::unique_ptr<l3d_world> own_; ///< the world that make_ made
     l3d_world* world_;
     std::shared_ptr<const l3d_rasterizer_factory> rasterizers_;
@@ -75,8 +76,8 @@ private:
     std::unique_ptr<l3d_surface_rasterizer> surfaces_; // after workers_, which it borrows
     l3d_size seen_size_;
     bool status_shown_ = false;
-    std::size_t drawn_ = 0; ///< polygons in the last picture
-    int frames_ = 0;        ///< frames since the frame rate was last computed
+    std::size_t drawn_ = 0; ///< number of polygons in the last picture
+    int frames_ = 0;        ///< number of frames since the frame rate was last computed
     double seconds_ = 0;
     double frame_rate_ = 0;
 };

@@ -88,8 +88,8 @@ namespace {
 /// 256 for the fractions of a pixel that rasterizers count in, are far from 2^31.
 constexpr double farthest_pixel = 0x1p15;
 
-/// A key that falls as depth rises: positive floats are ordered like their bits. Expects: depth >
-/// 0.
+/// A key for sorting that falls as depth rises. It is made of a positive float's bits, which are
+/// ordered like the float. Expects: depth > 0.
 std::uint32_t key_of(l3d_real depth) {
     return ~std::bit_cast<std::uint32_t>(static_cast<float>(l3d_to_double(depth)));
 }
@@ -119,7 +119,8 @@ std::size_t l3d_facet_list::add(const l3d_object& object) {
     return vertices.size();
 }
 
-/// Clips a face into `clipped_`; false if nothing is left.
+/// Clips a face of points_ at the near plane and far outside the picture. clipped_ gets the result.
+/// Returns false if nothing is left.
 bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
     const real far = l3d_from_double<real>(camera_.far_z);
     if (std::all_of(face.begin(), face.end(), [&](auto i) { return points_[i][2] > far; }) ||
@@ -131,8 +132,8 @@ bool l3d_facet_list::clip(std::span<const std::uint32_t> face) {
            clip_sideways(1, -up);
 }
 
-/// Cuts the polygon where a coordinate times `scale` exceeds z. A negative scale serves the
-/// opposite side. Scales are small, so that fixed point does not overflow here either.
+/// Cuts the polygon in clipped_ where coordinate `axis` times `scale` exceeds z. A negative scale
+/// cuts at the opposite side. Scales are small, so that fixed point does not overflow.
 bool l3d_facet_list::clip_sideways(int axis, real scale) {
     const real zero = l3d_from_double<real>(0);
     const auto side = [&](std::uint32_t i) { return points_[i][2] - points_[i][axis] * scale; };
@@ -148,7 +149,7 @@ bool l3d_facet_list::clip_sideways(int axis, real scale) {
     return l3d_clip_to_plane<real>(before_, zero, side, cut, clipped_);
 }
 
-/// Adds the polygon in `clipped_`, unless it is beside the picture.
+/// Projects the polygon in clipped_ and adds it to the list, unless it lies beside the picture.
 void l3d_facet_list::project(std::uint32_t color) {
     const std::size_t first = corners_.size();
     double left = std::numeric_limits<double>::max(), right = -left, top = left, bottom = -left;

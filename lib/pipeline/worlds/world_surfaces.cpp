@@ -14,8 +14,8 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// An object of more triangles than this takes some tenths of a millisecond, so all threads place
-/// it together.
+/// The most triangles of a small object. A larger object takes some tenths of a millisecond or
+/// more, so all threads place it together.
 constexpr std::size_t large = 4096;
 
 l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
@@ -26,8 +26,8 @@ l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
     return result;
 }
 
-/// Whether a placement keeps lengths and angles. Products of rotations in floats are off by some
-/// 2^-23 in each factor. Errors below 2^-16 do not show in shades.
+/// Whether a placement keeps lengths and angles, up to 2^-16. Products of rotations in floats are
+/// off by some 2^-23 for each factor. Errors below 2^-16 do not show in shades.
 bool is_rigid(const l3d_matrix<double>& placement) {
     for (int i = 0; i < 3; ++i)
         for (int k = 0; k <= i; ++k) {
@@ -40,8 +40,9 @@ bool is_rigid(const l3d_matrix<double>& placement) {
     return true;
 }
 
-/// The mesh with all vertices and normals taken through the linear part of a matrix. A mirror turns
-/// faces round, too, so that their corners' order still tells which side is outside.
+/// A model whose vertices and normals are transformed by the linear part of a matrix. If the matrix
+/// mirrors, faces are reversed, so that the order of their corners still tells which side is
+/// outside.
 l3d_polygon_model reshaped(const l3d_polygon_model& model, const l3d_matrix<double>& shape) {
     l3d_polygon_mesh result = model.mesh();
     for (vector& v : result.vertices)
@@ -66,15 +67,16 @@ l3d_polygon_model reshaped(const l3d_polygon_model& model, const l3d_matrix<doub
 
 /// The input that all objects of a frame share.
 struct l3d_world_surfaces::frame_input {
-    l3d_camera camera; ///< right-handed
+    l3d_camera camera; ///< the camera, in the right-handed world
     vector forward;    ///< direction of the camera's view
     l3d_size size;
     l3d_picture_fit fit;
     const l3d_polygon_settings& settings;
     l3d_shading shading;
-    std::array<vector, 4> sides; ///< normals of the view's four sides, inwards
+    /// Normals of the four planes at the view's sides, pointing inwards.
+    std::array<vector, 4> sides;
 
-    /// Whether a ball may be seen, in the right-handed world.
+    /// Whether a ball in the right-handed world may be seen.
     bool may_show(const vector& centre, double radius) const {
         const vector from_eye = centre - camera.eye;
         const double depth = l3d_dot(from_eye, forward);
@@ -150,7 +152,8 @@ void l3d_world_surfaces::place_all(const frame_input& in,
     }
 }
 
-/// Places an object. Returns whether anything of it may be seen.
+/// Prepares an object for the frame: its model, and the view of it. Returns whether any of the
+/// object may be seen.
 bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, placed& to) const {
     const l3d_polygon_model& model = object.model();
     if (model.triangles().empty())
@@ -187,8 +190,8 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
     return true;
 }
 
-/// Gathers the materials of all models. An object without materials gets a white one, unless no
-/// object has any.
+/// Gathers the materials of all objects that may be seen. An object without materials gets a white
+/// one, unless no object has materials.
 void l3d_world_surfaces::gather_materials(const l3d_polygon_settings& settings) {
     materials_.clear();
     const bool all_plain = !settings.material && std::ranges::all_of(seen_, [](const placed* p) {
@@ -209,7 +212,9 @@ void l3d_world_surfaces::gather_materials(const l3d_polygon_settings& settings) 
     }
 }
 
-/// Expects: the materials are gathered.
+/// Names the triangles that have paint. Returns the paints for the shading, or null if there are
+/// none.
+/// Expects: gather_materials was called.
 const l3d_face_paints* l3d_world_surfaces::gather_paints(const l3d_polygon_settings& settings) {
     l3d_detail::paint_gatherer gatherer(settings, materials_.size(), paints_);
     for (placed* p : seen_)

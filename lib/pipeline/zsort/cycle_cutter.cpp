@@ -38,7 +38,8 @@ front_parts cycle_cutter::front(const fragment& a, const fragment& b) {
     return front_over(common_, a.plane, b.plane, tie(a, b));
 }
 
-/// Calls visit(a, b), a < b, for fragments whose boxes meet, by a sweep from left to right.
+/// Calls visit(a, b), with a < b, for each pair of fragments whose boxes meet. It finds the pairs
+/// by a sweep from left to right.
 template <class Visit> void cycle_cutter::visit_pairs(const fragments& set, const Visit& visit) {
     std::vector<std::uint32_t> by_left(set.size()), open;
     std::iota(by_left.begin(), by_left.end(), 0u);
@@ -65,8 +66,9 @@ cycle_cutter::fragment cycle_cutter::cut_side(const fragment& of, const fragment
     return result;
 }
 
-/// Cuts fragments that go through each other where they meet. If there are too many such pairs, it
-/// does nothing and returns false: their cuts would make more pieces than division does.
+/// Cuts fragments that go through each other, only where they meet. If too many pairs go through
+/// each other, it does nothing and returns false: cuts would make more pieces than dividing the set
+/// does.
 bool cycle_cutter::cut_where_they_meet(fragments& set) {
     std::vector<std::vector<std::uint32_t>> cutters(set.size());
     std::size_t crossings = 0;
@@ -98,8 +100,8 @@ bool cycle_cutter::cut_where_they_meet(fragments& set) {
     return true;
 }
 
-/// Puts the strongly connected components of a set on the list of tasks, with the foremost at its
-/// end.
+/// Puts the strongly connected components of a set on the list of tasks. The component in front of
+/// all others comes last.
 void cycle_cutter::arrange(fragments&& set) {
     std::vector<std::vector<order_node>> needs(set.size());
     std::vector<l3d_sort_item> nodes;
@@ -126,8 +128,8 @@ void cycle_cutter::arrange(fragments&& set) {
         });
 }
 
-/// Chooses a plane that divides a set. Among some eight members, it takes the one whose plane cuts
-/// fewest others and divides them most equally.
+/// Chooses the member whose plane divides a set best. Among some eight members, it takes the one
+/// whose plane cuts fewest other members and divides them most equally. Returns the member's index.
 std::size_t cycle_cutter::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
     constexpr long price_of_cut = 4; // a cut costs as much as halves that differ by so many members

@@ -14,25 +14,27 @@
 
 namespace l3d_detail {
 
-/// Finds a painting order for a knot: a set of triangles that has none unless some are cut.
+/// Finds a painting order for a knot: a set of triangles that have no right painting order unless
+/// some triangles are cut.
 ///
-/// First the members that go through each other are cut at each other's planes, only where they
-/// meet. Along the curve where two surfaces cross, that is a cut or two for each triangle. Then
-/// whole planes of members divide the cycles that are left, and sets in which nearly all members
-/// cross. The pieces behind a plane are painted first, those in front of it last. This always ends,
-/// since a piece is never divided by the same plane again.
+/// First, members of the knot that go through each other are cut at each other's planes, but only
+/// where they meet. Where two surfaces cross, each triangle along the curve gets a cut or two. Then
+/// planes of members divide all pieces of the cycles that are left, and of sets in which nearly all
+/// members cross. Pieces behind a plane are painted first, pieces in front of it last. The division
+/// always ends, since the same plane never divides a piece again.
 class cycle_cutter {
 public:
-    /// Knots of at most so many members are not searched for hidden ones. Clearing the bits of the
-    /// picture would take longer than painting the hidden ones.
+    /// The most members of a knot that is not searched for hidden members. In such a small knot,
+    /// clearing the bits of the picture would take longer than painting the hidden members.
     static constexpr std::size_t few = 48;
 
     explicit cycle_cutter(std::size_t most_without_search = few)
         : most_without_search_(most_without_search) {}
 
-    /// Adds the members' pieces in painting order, and their cuts.
-    /// Expects: members are indices of triangles, rising.
-    /// Errors:  l3d_interrupted, if the workers are.
+    /// Orders a knot: adds the members' pieces in painting order to `pieces`, and the pieces' cuts
+    /// to `cuts`.
+    /// Expects: members are rising indices of triangles.
+    /// Errors:  l3d_interrupted, if the workers are interrupted.
     void untie(l3d_workers& workers, l3d_size size, std::span<const l3d_painter_triangle> triangles,
                std::span<const std::uint32_t> members, std::vector<l3d_painter_piece>& pieces,
                std::vector<l3d_painter_cut>& cuts);
@@ -66,14 +68,15 @@ private:
     std::span<const l3d_painter_triangle> triangles_;
     std::vector<l3d_painter_piece>* pieces_ = nullptr;
     std::vector<l3d_painter_cut>* cuts_ = nullptr;
-    l3d_workers* workers_ = nullptr; ///< they are asked whether to go on
+    l3d_workers* workers_ = nullptr; ///< tell whether the work is interrupted
 
     struct task {
         fragments set;
-        bool cyclic; ///< whether the set is known to have no order
+        bool cyclic; ///< whether it is known that the set has no order
     };
-    std::vector<task> tasks_; ///< the last one is the next, in front of all others
-    painter_cover cover_;     ///< cover of a large knot
+    /// Sets to be ordered; the last one is in front of all others, and comes next.
+    std::vector<task> tasks_;
+    painter_cover cover_; ///< pixels that later pieces cover, for a large knot
     std::size_t most_without_search_;
     bool covers_ = false;
     ordered_components components_;

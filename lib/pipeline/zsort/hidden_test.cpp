@@ -44,7 +44,8 @@ void hidden_test::look(std::span<const painter_entry> members, const painter_pai
     }
 }
 
-/// Whether the sort alone tells what is in front in a tile.
+/// Whether the sort is right in a tile: whether the member that it paints last in each cell is in
+/// front of the others there.
 bool hidden_test::is_sort_right(std::span<const painter_entry> members, const painter_pairs& pairs,
                                 found& of) {
     for (std::size_t i = 0; i < members.size(); ++i) {
@@ -73,7 +74,7 @@ std::size_t hidden_test::count_whole(std::size_t begin, std::size_t end) const {
     return count;
 }
 
-/// Notes that an item is seen somewhere, or hidden. Two workers may do so at once, but they write
+/// Notes that parts of an item are seen, or hidden. Two workers may write at once, but they write
 /// the same number.
 void hidden_test::note(const painter_entry& member, bool is_seen, bool is_hidden) {
     parts& of = parts_[member.number];

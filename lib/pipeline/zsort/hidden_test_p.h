@@ -15,22 +15,22 @@
 
 namespace l3d_detail {
 
-/// Finds the items that need no place in the painting order, since they are seen wholly or not at
-/// all.
+/// Finds the triangles (items) that need no place in the painting order, since they are seen wholly
+/// or not at all.
 ///
-/// Items that are seen in all of their pixels share none with each other. So they may be painted in
-/// any order, after all others. Items that are seen nowhere need not be painted. Only the rest
-/// needs an order.
+/// Items that are seen in all of their pixels share no pixel with each other. So they may be
+/// painted in any order, after all others. Items that are seen nowhere need not be painted. Only
+/// the other items need an order.
 class hidden_test {
 public:
-    /// Forgets what was found: each item needs an order again.
+    /// Forgets the results of find(): each item needs an order again.
     void forget() { parts_.clear(); }
 
-    /// Tests the members of tiles, if the tiles know pixels. In each pixel it finds the item that
-    /// is sorted last, and compares the others with it. If the sort is wrong in a tile, all of its
-    /// members need an order.
-    /// Expects: items have lesser numbers than `numbers`.
-    /// Returns: the number of pairs compared.
+    /// Tests the members of all tiles, if each cell of a tile is a pixel. In each pixel it finds
+    /// the item that the sort paints last, and compares the other items with this one. If the sort
+    /// is wrong in a tile, all members of the tile need an order.
+    /// Expects: the numbers of all items are less than `numbers`.
+    /// Returns: the number of pairs that were compared.
     std::int64_t find(const painter_tiles& tiles, const painter_pairs& pairs, std::size_t numbers,
                       l3d_workers& workers);
 
@@ -40,11 +40,12 @@ public:
     bool is_whole(std::uint32_t number) const {
         return !parts_.empty() && parts_[number].seen != 0 && parts_[number].hidden == 0;
     }
-    /// The number of items that are seen wholly, of those with numbers [begin, end).
+    /// The number of items that are seen wholly, among those with numbers from `begin` to before
+    /// `end`.
     std::size_t count_whole(std::size_t begin, std::size_t end) const;
 
 private:
-    /// Whether some of an item's pixels are seen, or hidden: 1 or 0.
+    /// Whether any of an item's pixels is seen, and whether any is hidden: 1 or 0.
     struct parts {
         std::uint8_t seen = 0, hidden = 0;
     };
@@ -53,7 +54,7 @@ private:
     struct alignas(128) found {
         tile_fronts fronts;
         std::vector<cell_sight> of_members;
-        std::int64_t pairs = 0; ///< number of pairs compared, in all tiles
+        std::int64_t pairs = 0; ///< number of pairs that the worker compared, in all tiles
     };
 
     void look(std::span<const painter_entry> members, const painter_pairs& pairs, found& room);
@@ -61,7 +62,7 @@ private:
                               found& of);
     void note(const painter_entry& member, bool is_seen, bool is_hidden);
 
-    std::vector<parts> parts_; ///< parts of the items, by number
+    std::vector<parts> parts_; ///< for each item's number, whether parts of it are seen and hidden
     std::vector<found> of_workers_;
 };
 

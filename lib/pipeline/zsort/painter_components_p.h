@@ -13,10 +13,11 @@
 
 namespace l3d_detail {
 
-/// A thing that is put into an order: its sort key in the upper half, its number in the lower one.
+/// A thing that is put into an order, such as a triangle: its sort key in the upper 32 bits, its
+/// number in the lower ones.
 ///
-/// Nodes come in the order of these integers. So two nodes are compared without a table of their
-/// places in the order.
+/// Sorted nodes stand in the order of these integers. So two nodes can be compared without a table
+/// of their places in the sorted list.
 using order_node = std::uint64_t;
 
 constexpr order_node order_node_of(std::uint32_t key, std::uint32_t number) {
@@ -26,22 +27,24 @@ constexpr std::uint32_t number_of(order_node node) {
     return static_cast<std::uint32_t>(node);
 }
 
-/// Finds the strongly connected components of a graph whose edges are computed while it is walked.
+/// Puts nodes into an order in which each comes after the nodes that it needs. Nodes that need each
+/// other in a cycle form one strongly connected component. The graph's edges are computed while it
+/// is walked.
 ///
-/// Cost:   linear in nodes and edges; deep graphs take no stack. A node without edges costs a
-///         bit and a call. Keeps its memory.
+/// Cost:   linear in nodes and edges; deep graphs take no stack. A node without edges costs a bit
+///         and a call. Memory is kept for the next walk.
 /// Source: Tarjan: Depth-first search and linear graph algorithms (SIAM J. Computing 1, 1972).
 class ordered_components {
 public:
-    /// Calls emit(component) for each strongly connected component of nodes. The components that
-    /// its nodes need come before it. Where there is a choice, the component with the least node
-    /// comes first.
+    /// Calls emit(component) for each strongly connected component of nodes, after the components
+    /// that its nodes need. If several components could be next, the one with the least node comes
+    /// first.
     ///
     /// `is_free(node)` tells whether a node needs no greater node. `needed(node, in_turn, out)`
-    /// adds to `out` the nodes that must come before a node. It may leave out nodes that were
-    /// emitted. If `in_turn` is true, all lesser nodes are emitted. The nodes of a component are in
-    /// rising order.
-    /// Expects: nodes by rising keys, then numbers; numbers less than `numbers`.
+    /// adds to `out` the nodes that must come before `node`; it may leave out nodes that were
+    /// emitted. If `in_turn` is true, all lesser nodes were emitted. The nodes of a component are
+    /// in rising order.
+    /// Expects: nodes are sorted by rising keys, then numbers. All numbers are less than `numbers`.
     template <class Free, class Needed, class Emit>
     void walk(std::span<const l3d_sort_item> nodes, std::size_t numbers, const Free& is_free,
               const Needed& needed, const Emit& emit) {
@@ -70,8 +73,8 @@ private:
     static constexpr std::uint32_t finished = 0xffffffff;
 
     struct mark {
-        std::uint32_t index; ///< number of nodes seen before this one
-        std::uint32_t low;   ///< least index of the nodes that this one can reach
+        std::uint32_t index; ///< number of nodes that were seen before this one
+        std::uint32_t low;   ///< least index of the open nodes that this one is known to reach
     };
 
     struct call {
@@ -127,12 +130,13 @@ private:
         open_.resize(first);
     }
 
-    std::vector<mark> marks_; ///< marks of the seen nodes, by number
+    std::vector<mark> marks_; ///< marks of the nodes that were seen, by number
     std::vector<bool> is_seen_;
     std::vector<call> calls_;
-    std::vector<order_node> edges_; ///< edges of all nodes in calls_, the last one's at the end
-    std::vector<order_node> open_;  ///< nodes seen, but not yet in a component
-    order_node turn_ = 0;           ///< all lesser nodes are emitted
+    /// Edges of all nodes in calls_; those of the last node stand at the end.
+    std::vector<order_node> edges_;
+    std::vector<order_node> open_; ///< nodes that were seen and are not in a component yet
+    order_node turn_ = 0; ///< the node from which the walk goes on; all lesser nodes were emitted
     std::uint32_t next_ = 0;
 };
 

@@ -11,20 +11,20 @@
 
 namespace l3d_detail {
 
-/// The pixels in which the pieces added so far will be painted. A piece that is painted before
-/// them, and only in these pixels, is hidden and can be left out. The painter's own code finds the
-/// pixels, so the picture stays the same.
+/// The pixels in which the pieces added so far will be painted. Another piece that is painted
+/// before them, and only in these pixels, is hidden and can be left out. The painter's own code
+/// finds the pixels, so the picture stays the same.
 ///
-/// Lives: borrows what begin() was given. Keeps its memory.
+/// Lives: borrows the arguments of begin().
 class painter_cover {
 public:
-    /// Forgets all pieces, and takes the triangles and cuts of the next ones.
+    /// Forgets all pieces, and takes the triangles and cuts that the next pieces refer to.
     void begin(l3d_size size, std::span<const l3d_painter_triangle> triangles,
                const std::vector<l3d_painter_cut>& cuts);
 
     void add(const l3d_painter_piece& piece);
 
-    /// Whether each pixel of a piece, and of its sides drawn as lines, is covered.
+    /// Whether added pieces cover each pixel of `piece`, and of its sides drawn as lines.
     bool hides(const l3d_painter_piece& piece);
 
 private:

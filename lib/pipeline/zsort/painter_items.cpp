@@ -14,7 +14,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// The item of a triangle; nothing if it cannot be seen.
+/// Makes the item of a triangle; nothing if the triangle cannot be seen.
 std::optional<painter_item> item_of(const std::array<l3d_micro_vertex, 3>& v, l3d_size size,
                                     bool with_sides) {
     const auto [least_x, most_x] = std::minmax({v[0].x, v[1].x, v[2].x});

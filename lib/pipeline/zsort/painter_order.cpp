@@ -19,22 +19,23 @@ namespace {
 
 using namespace l3d_detail;
 
-/// A need that the sort does not meet: an item must be painted after another one that is sorted
-/// later.
+/// A need that the sort does not meet: an item that must be painted after another one, although the
+/// sort puts it before.
 struct late_need {
     order_node item, before;
 
     std::pair<order_node, order_node> both() const { return {item, before}; }
 };
 
-/// The needs that were found in a row of tiles.
+/// The needs that were found in one row of tiles.
 struct row_of_needs {
     std::vector<late_need> found;
-    std::int64_t pairs = 0; ///< number of pairs compared
+    std::int64_t pairs = 0; ///< number of pairs of items that were compared
 };
 
-/// The members of a tile in sorted order. Beside them stand the cells and depths that decide most
-/// often whether two members are compared. Each worker has one, and writes to it at each member.
+/// The members of a tile in sorted order. It copies the members' cells and depths, which decide
+/// most often whether two members are compared. Each worker has one such object, and writes to it
+/// at each member.
 class alignas(128) sorted_members {
 public:
     void sort(std::span<const painter_entry> members) {
@@ -48,7 +49,8 @@ public:
         members_ = members;
     }
 
-    /// Calls visit(member, later one) for pairs whose cells and ranges of depth meet.
+    /// Calls visit(member, later member) for each pair of members whose cells and ranges of depth
+    /// meet.
     template <class Visit> void visit_pairs(const Visit& visit) const {
         // Local copies need not be read again after each visit.
         const std::span<const std::uint64_t> order(order_), cells(cells_);
@@ -64,24 +66,25 @@ public:
     }
 
 private:
-    /// Positive floats are ordered like their bits.
+    /// The bits of a positive float, which are ordered like the float.
     static std::uint64_t bits_of(float number) { return std::bit_cast<std::uint32_t>(number); }
 
     std::span<const painter_entry> members_;
-    std::vector<std::uint64_t> order_; ///< depth bits of the farthest corner, then the index
-    std::vector<std::uint64_t> cells_; ///< cells of members in this order
+    /// For each member, depth bits of its farthest corner, then its index.
+    std::vector<std::uint64_t> order_;
+    std::vector<std::uint64_t> cells_; ///< cells of the members, in the order of order_
 };
 
 } // namespace
 
 struct l3d_painter_order::work_space {
-    /// The number of items between the one in work and the one that is prefetched. Sorted items lie
-    /// anywhere in memory, and fetching one takes some hundred cycles.
+    /// The number of items between the present item and the one that is prefetched. Sorted items
+    /// lie anywhere in memory, and fetching one takes some hundred cycles.
     static constexpr std::size_t ahead = 16;
-    /// The number of pieces that a worker takes at once: some 10^4 cycles at the least.
+    /// The number of pieces that a worker takes at a time, which costs some 10^4 cycles at least.
     static constexpr std::size_t chunk_pieces = 4096;
-    /// Marks a piece that names an item in place of a triangle. It is the index of no cut, since
-    /// there can never be so many.
+    /// In place of a piece's cut, marks a piece that has an item's number in place of a triangle's
+    /// index. No cut has this index, since there are never so many cuts.
     static constexpr std::uint32_t of_item = l3d_painter_cut::last - 1;
 
     explicit work_space(l3d_workers& by)
@@ -93,25 +96,27 @@ struct l3d_painter_order::work_space {
     way how;
     painter_items items;
     painter_pairs pair_test{items};
-    std::vector<l3d_sort_item> keys, other_keys; ///< keys of items, by their numbers
+    /// Keys and numbers of the items to sort, and memory for sorting.
+    std::vector<l3d_sort_item> keys, other_keys;
     std::vector<std::uint32_t> knot_members;
     painter_tiles tiles;
     std::vector<sorted_members> of_workers;
     hidden_test sight;
     std::vector<row_of_needs> rows;
-    std::vector<late_need> late; ///< in rising order
+    std::vector<late_need> late; ///< all late needs, in rising order
     ordered_components components;
     cycle_cutter knot;
     std::vector<l3d_painter_piece> ordered; ///< pieces of items that need an order
     std::vector<l3d_painter_cut> cuts;
     std::vector<std::size_t>
-        chunk_begins; ///< where the wholly seen pieces of each chunk begin, and their end
-    /// All pieces, the ordered ones first. The vector never shrinks: new pieces would have to be
-    /// cleared.
+        /// For each chunk, the index of its first wholly seen piece; and the end of all.
+        chunk_begins;
+    /// All pieces, the ordered ones first. The vector never shrinks, since growing it again would
+    /// write all new pieces.
     std::vector<l3d_painter_piece> pieces;
 
-    /// Sorts items that need an order by their farthest corners. Positive floats are ordered like
-    /// their bits.
+    /// Sorts the items that need an order by their farthest corners. Keys are the bits of positive
+    /// floats, which are ordered like the floats.
     void sort() {
         keys.clear();
         for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk) {
@@ -125,8 +130,8 @@ struct l3d_painter_order::work_space {
         l3d_radix_sort(keys, other_keys);
     }
 
-    /// Finds the items that each item needs among those sorted after it. Meanwhile one worker
-    /// sorts.
+    /// Finds, for each item, the items that it needs although they are sorted after it. One worker
+    /// sorts at the same time.
     void sort_and_find_late() {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
         workers.for_each(1 + tiles.rows(), [&](int task, int worker) {
@@ -163,7 +168,8 @@ struct l3d_painter_order::work_space {
         }
     }
 
-    /// Adds the items that an item needs among those sorted before it and not yet emitted.
+    /// Adds to `out` the items that an item needs among those that are sorted before it and not
+    /// emitted yet.
     void find_early(order_node node, std::vector<order_node>& out,
                     l3d_painter_order_counts& counts) {
         const auto is_emitted = [&](const painter_entry& entry) {
@@ -183,7 +189,8 @@ struct l3d_painter_order::work_space {
         });
     }
 
-    /// Adds the items that must be painted before an item: those that it is in front of somewhere.
+    /// Adds to `out` the items that must be painted before an item, since it is in front of them
+    /// somewhere.
     void find_needed(order_node node, bool in_turn, std::vector<order_node>& out,
                      l3d_painter_order_counts& counts) {
         if (!in_turn)
@@ -193,10 +200,10 @@ struct l3d_painter_order::work_space {
             out.push_back(need->before);
     }
 
-    /// Adds a piece that names its item in place of its triangle.
+    /// Adds a piece with the item's number in place of the triangle's index.
     void emit(order_node node) { ordered.push_back({number_of(node), of_item}); }
 
-    /// Emits all items in sorted order.
+    /// Emits all items in sorted order, without comparing them.
     void emit_sorted() {
         for (const l3d_sort_item& key : keys)
             emit(order_node_of(key.key, key.index));
@@ -206,7 +213,8 @@ struct l3d_painter_order::work_space {
         return {item.triangle, l3d_painter_cut::last};
     }
 
-    /// Turns the items of pieces into triangles, and adds the items that are seen wholly.
+    /// Replaces items' numbers in pieces by triangles' indices, and adds pieces for the items that
+    /// are seen wholly.
     void place_pieces() {
         chunk_begins.assign(1, ordered.size());
         for (std::size_t chunk = 0; chunk < items.chunks(); ++chunk) {

@@ -13,57 +13,62 @@
 #include <memory>
 #include <span>
 
-/// Sorts triangles by their farthest corner, finds where that order is wrong, and mends it.
+/// Puts triangles into an order in which painting them gives the right picture. It sorts triangles
+/// by their farthest corner, finds where this order is wrong, and mends it.
 ///
-/// Only triangles that meet in the picture need an order. Each comes after those that it partly
-/// hides. Some sets have no order: triangles that go through each other, and cyclic overlaps. They
-/// are the strongly connected components of more than one member, and are cut by each other's
-/// planes until there is an order. The result is exact except where the two nearest depths of a
-/// pixel differ by less than 2^-36 of the nearest corner's (painter_tie).
-/// Cost:   sorting is linear. Comparing is linear in the number of triangles that lie over each
-/// other within a tile of the picture; for surfaces, in the number of triangles. A set of n that
-/// all go through each other may become n^2 pieces if all of them are seen; hidden ones are left
-/// out. Keeps its memory.
+/// Only triangles that meet in the picture need an order: each comes after the triangles that it
+/// partly hides. Some sets of triangles have no such order, since they go through each other or
+/// overlap in a circle. Such sets are the strongly connected components of more than one member.
+/// Their members are cut by each other's planes until there is an order. The picture is exact,
+/// except in pixels whose two nearest depths differ by less than 2^-36 of the nearest corner's
+/// depth (painter_tie).
+/// Cost:   sorting is linear. Comparing is linear in the pairs of triangles that lie over each
+///         other within a tile of the picture. For surfaces, this is linear in the triangles. Many
+///         triangles that all go through each other, n of them, may become n^2 pieces if all pieces
+///         are seen; hidden ones are left out. Memory is kept for the next picture.
 /// Source: comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
-/// 1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
-/// structures (SIGGRAPH 1980).
+///         1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
+///         structures (SIGGRAPH 1980).
 class l3d_painter_order {
 public:
-    /// Lives: borrows the workers.
+    /// Makes an order whose work these workers do. Lives: borrows the workers.
     explicit l3d_painter_order(l3d_workers& workers);
     ~l3d_painter_order();
     l3d_painter_order(const l3d_painter_order&) = delete;
     l3d_painter_order& operator=(const l3d_painter_order&) = delete;
 
-    /// The kind of order.
+    /// The kind of order that make() finds.
     struct way {
-        bool resolve = true; ///< false for the plain painter's algorithm: sorted, nothing compared
-        /// Whether sides of triangles are drawn. If not, triangles that cover no pixel are left
-        /// out. Triangles that are behind others in all of their pixels may be left out, too.
+        /// Whether wrong places are mended; false sorts triangles, and compares none.
+        bool resolve = true;
+        /// Whether the sides of triangles are drawn as lines. If not, triangles that cover no pixel
+        /// are left out. Triangles that are behind others in all of their pixels may be left out,
+        /// too.
         bool sides = true;
     };
 
     /// Orders the triangles of a picture of this size. Triangles without an area are left out.
     /// Lives: borrows the triangles until the next make.
     void make(std::span<const l3d_painter_triangle> triangles, l3d_size size, const way& how);
-    /// Orders all triangles that may have pixels or sides.
+    /// Orders triangles in the usual way: wrong places are mended, and sides are drawn.
     void make(std::span<const l3d_painter_triangle> triangles, l3d_size size) {
         make(triangles, size, way());
     }
 
-    /// Begins to order triangles that come in chunks, which end at `ends`. The triangles of a chunk
-    /// may be written until note() is called for it.
+    /// Begins to order triangles that come in chunks: chunk i ends before index ends[i]. The caller
+    /// may write the triangles of a chunk until it calls note() for the chunk.
     void begin(std::span<const l3d_painter_triangle> triangles, std::span<const std::size_t> ends,
                l3d_size size, const way& how);
-    /// Takes a chunk whose triangles are complete. Threads may note chunks side by side.
+    /// Takes a chunk whose triangles are complete. Threads may note different chunks at the same
+    /// time.
     void note(std::size_t chunk);
     /// Orders all triangles. Expects: all chunks were noted.
     void finish();
 
-    /// The given triangles, whose indices pieces and cuts refer to.
+    /// The triangles that were given. Pieces and cuts refer to their indices.
     std::span<const l3d_painter_triangle> triangles() const;
 
-    /// The pieces in the order in which they are to be painted.
+    /// The pieces of triangles, in the order in which they are to be painted.
     std::span<const l3d_painter_piece> pieces() const;
     std::span<const l3d_painter_cut> cuts() const;
 

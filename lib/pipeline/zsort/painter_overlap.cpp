@@ -14,7 +14,7 @@ namespace {
 
 using triangle = std::array<l3d_micro_vertex, 3>;
 
-/// Whether an edge of `a` has all of `b` on its outer side, or on it.
+/// Whether an edge of triangle `a` has all of triangle `b` on its outer side or on the edge's line.
 bool an_edge_parts(const triangle& a, const triangle& b) {
     const std::int64_t area2 = twice_area(a[0], a[1], a[2]);
     for (std::size_t i = 0; i < 3; ++i) {
@@ -37,7 +37,8 @@ double doubled_area(std::span<const picture_point> region) {
     return sum;
 }
 
-/// Appends the part of a polygon where `inside`, linear along its sides, is not negative.
+/// Appends to `out` the part of a polygon where the function `inside` is not negative. `inside` is
+/// linear along the polygon's sides.
 template <class Inside>
 void clip(std::span<const picture_point> polygon, const Inside& inside, picture_region& out) {
     for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -52,7 +53,7 @@ void clip(std::span<const picture_point> polygon, const Inside& inside, picture_
     }
 }
 
-/// Finds which of two triangles is in front at the corners of one of them, by more than `tie`.
+/// Finds which of two triangles is in front, by more than `tie`, at the corners of one of the two.
 /// `plane` is the other triangle's plane of depth. `corners_are_first` tells whether `corners` are
 /// those of the first triangle.
 front_parts front_at_corners(const triangle& corners, const l3d_picture_plane& plane, double tie,
@@ -126,8 +127,8 @@ void keep_side(std::span<const picture_point> region, const l3d_picture_plane& f
         out);
 }
 
-/// Tests corners first: if those of one triangle are all on one side of the other's plane, that
-/// decides. Then the triangles' common part is not needed.
+/// Tests corners first: if all corners of one triangle are on one side of the other's plane, this
+/// decides. Otherwise it compares the planes over the triangles' common part.
 front_parts front_of(const triangle& a, const triangle& b) {
     const double tie = tie_of(a, b);
     const l3d_picture_plane plane_a(a), plane_b(b);

@@ -18,51 +18,54 @@ struct picture_point {
     double x = 0, y = 0;
 };
 
-/// A convex polygon of the picture, either winding.
+/// The corners of a convex polygon in the picture, in either direction.
 using picture_region = std::vector<picture_point>;
 
-/// Whether each of two things is in front of the other somewhere.
+/// Whether each of two triangles or planes is in front of the other somewhere.
 struct front_parts {
-    bool first = false;  ///< the first is in front somewhere
-    bool second = false; ///< the second is in front somewhere
+    bool first = false;  ///< whether the first is in front somewhere
+    bool second = false; ///< whether the second is in front somewhere
 
     bool mixed() const { return first && second; }
 };
 
-/// Depths that differ by less than this part of a depth count as equal. It is a part of the farther
-/// one of both triangles' nearest corners. It is 2^-12 of what a depth buffer of floats tells
-/// apart, and 2^17 times the rounding of doubles.
+/// The part of a depth by which two triangles' depths must differ to count as different. The depth
+/// is that of a nearest corner: of the two triangles' nearest corners, the farther one. The part is
+/// 2^-12 of the difference that a depth buffer of floats tells apart, and 2^17 times the rounding
+/// of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
-/// Whether the insides of two triangles meet, exactly. If they do not, the triangles have no pixel
-/// in common. For the fill rule takes a centre on an edge as if it lay a little to the right and
-/// below.
+/// Whether the insides of two triangles meet, decided exactly. If they do not meet, the triangles
+/// have no pixel in common. This holds since the fill rule treats a pixel's centre on an edge as if
+/// it lay a little to the right and below.
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 
-/// Finds which of two triangles is in front in their common part. Expects: each has some area.
+/// Finds which of two triangles is in front in the part of the picture that both cover.
+/// Expects: both triangles have an area.
 front_parts front_of(const std::array<l3d_micro_vertex, 3>& a,
                      const std::array<l3d_micro_vertex, 3>& b);
 
-/// Finds which of two planes is in front over a region; differences up to `tie` do not count.
+/// Finds which of two planes is in front over a region of the picture. Differences of depth up to
+/// `tie` do not count.
 front_parts front_over(std::span<const picture_point> region, const l3d_picture_plane& first,
                        const l3d_picture_plane& second, double tie);
 
-/// The common part of two convex polygons, with a margin of 2^-12 sub-pixel around it in case
-/// rounding lost it.
+/// Finds the common part of two convex polygons. It gets a margin of 2^-12 sub-pixel around it, so
+/// that rounding loses nothing.
 ///
-/// Lives:   the result is in `out`; `scratch` is working memory.
+/// Lives:   `out` gets the result; `scratch` is working memory.
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,
                picture_region& out, picture_region& scratch);
 
-/// Keeps the part of a region where the first plane is in front of the second or, if `in_front` is
-/// false, behind it. The result is empty only if the region has no such part.
+/// Writes to `out` the part of a region where the first plane is in front of the second one or, if
+/// `in_front` is false, behind it. `out` is empty only if there is no such part.
 void keep_side(std::span<const picture_point> region, const l3d_picture_plane& first,
                const l3d_picture_plane& second, bool in_front, picture_region& out);
 
 picture_region region_of(const std::array<l3d_micro_vertex, 3>& v);
 
-/// The difference up to which depths of two triangles count as equal (painter_tie).
+/// The difference up to which depths of these two triangles count as equal (painter_tie).
 double tie_of(const std::array<l3d_micro_vertex, 3>& a, const std::array<l3d_micro_vertex, 3>& b);
 
 } // namespace l3d_detail

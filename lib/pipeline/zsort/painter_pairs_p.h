@@ -12,15 +12,16 @@
 
 namespace l3d_detail {
 
-/// Compares items.
+/// Compares two items: tells which triangle must be painted after the other.
 ///
-/// Lives: borrows them.
+/// Lives: borrows the items.
 class painter_pairs {
 public:
     explicit painter_pairs(const painter_items& items) : items_(items) {}
 
-    /// Whether `item` must be painted after `other`: they meet, and `item` is in front of `other`
-    /// somewhere. Exact entries with a cell in common are known to meet.
+    /// Whether `item` must be painted after `other`: whether they meet in the picture, and `item`
+    /// is in front of `other` somewhere.
+    /// Expects: two exact entries have a cell in common.
     bool needs(const painter_entry& item, const painter_entry& other) const {
         return ((item.is_exact && other.is_exact) || do_meet(item.number, other.number)) &&
                (other.nearest <= item.farthest ||
@@ -32,8 +33,8 @@ private:
         return items_.corners(items_[number]);
     }
 
-    /// Whether the insides of two items meet. Where only pixels count, boxes already tell apart
-    /// many items that lie side by side.
+    /// Whether the insides of two items meet. If sides are not drawn, the boxes of pixels already
+    /// tell apart many items that lie side by side.
     bool do_meet(std::uint32_t a, std::uint32_t b) const {
         return (!items_.are_pixels_all() || items_[a].box_meets(items_[b])) &&
                insides_meet(corners(a), corners(b));

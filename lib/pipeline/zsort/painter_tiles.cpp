@@ -8,7 +8,8 @@
 
 namespace l3d_detail {
 
-/// The entry of an item in a tile, with the cells that the item's box meets.
+/// The entry of an item in a tile, if its pixels are not known: its cells are those that the item's
+/// box meets.
 painter_entry painter_tiles::box_entry(const painter_item& item, std::uint32_t number, int column,
                                        int row) const {
     constexpr int side = 1 << cell_bits;
@@ -43,7 +44,8 @@ std::size_t painter_tiles::tiles_of(const painter_item& item) const {
     return static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
 }
 
-/// Divides the items into as many shares as workers, equal as far as chunks allow.
+/// Divides the items into one share for each worker. Shares consist of whole chunks, and are as
+/// equal as these allow.
 void painter_tiles::share_out(const painter_items& items, int workers) {
     shares_.resize(static_cast<std::size_t>(workers));
     std::size_t chunk = 0, count = 0;

@@ -18,30 +18,32 @@
 
 namespace l3d_detail {
 
-/// A triangle in a tile.
+/// A triangle (item) in the list of a tile that it reaches.
 ///
-/// Shape: a tile has eight rows of eight cells, a bit each. A cell is a pixel or a square of them.
+/// Shape: a tile has eight rows of eight cells, a bit each. A cell is a pixel or a square of
+///        pixels.
 struct painter_entry {
-    float farthest, nearest; ///< depths of the triangle
-    std::uint64_t cells;     ///< cells in which it may have pixels
-    std::uint32_t number;    ///< number of its item
-    /// Bit 0 is set if its first column, bit 1 if its first row lies in a tile before this one.
-    /// Both are 0 if the entry is exact.
+    float farthest, nearest; ///< least and largest 1/w of the triangle
+    std::uint64_t cells;     ///< cells in which the triangle may cover pixels
+    std::uint32_t number;    ///< number of the triangle's item
+    /// Bit 0 is set if the triangle's first column lies in a tile to the left, bit 1 if its first
+    /// row lies in a tile above. Both are 0 if the entry is exact.
     std::uint16_t begins_before = 0;
-    std::uint16_t is_exact = 0; ///< whether the cells are the pixels that it covers
+    std::uint16_t is_exact = 0; ///< whether the cells are just the pixels that the triangle covers
 
-    /// Whether two triangles may have a pixel in common in this tile, and in none before it. So
-    /// each pair is found once, except pairs with one exact entry.
+    /// Whether two triangles may have a pixel in common in this tile, and in no earlier tile. So
+    /// each pair of triangles is found once, except pairs with one exact entry.
     bool may_meet(const painter_entry& other) const {
         return (cells & other.cells) != 0 && (begins_before & other.begins_before) == 0;
     }
-    /// Positive floats are ordered like their bits.
+    /// The entry as a node of an order, from far to near. Its key is the bits of a positive float,
+    /// which are ordered like the float.
     order_node node() const {
         return order_node_of(std::bit_cast<std::uint32_t>(farthest), number);
     }
 };
 
-/// Whether no two triangles have a cell in common, as on a surface of one layer.
+/// Whether no two members of a tile have a cell in common, as on a surface of one layer.
 inline bool are_apart(std::span<const painter_entry> members) {
     std::uint64_t taken = 0;
     for (const painter_entry& member : members) {
@@ -52,14 +54,15 @@ inline bool are_apart(std::span<const painter_entry> members) {
     return true;
 }
 
-/// The triangles that reach each tile of the picture.
+/// Lists, for each tile of the picture, the triangles that reach it, so that only triangles of the
+/// same tile need be compared.
 class painter_tiles {
 public:
-    /// Puts items into tiles that are about twice as wide as the mean box, and at least eight
-    /// pixels. Smaller tiles would list each triangle often, larger ones would list triangles
-    /// together that do not meet. If pixels are all that counts, tiles of 16 or 32 pixels are made
-    /// eight pixels wide instead. Then the pixels of most triangles are known, and most pairs need
-    /// not be compared.
+    /// Puts items into tiles that are about twice as wide as the mean box of an item, and at least
+    /// eight pixels wide. Smaller tiles would list each triangle often; larger ones would list
+    /// triangles together that do not meet. If sides are not drawn, tiles of 16 or 32 pixels are
+    /// made eight pixels wide instead. Then a cell is a pixel, the pixels of most triangles are
+    /// known, and most pairs need not be compared.
     /// Lives: borrows the items until the next make.
     void make(const painter_items& items, l3d_size size, l3d_workers& workers);
 
@@ -70,16 +73,18 @@ public:
                static_cast<std::size_t>(column);
     }
 
-    /// The members of a tile, by rising numbers until they are sorted.
+    /// The members of a tile: sorted from far to near after rest(), and before that by rising
+    /// numbers.
     std::span<const painter_entry> members(std::size_t tile) const {
         return {entries_.data() + begins_[tile], entries_.data() + ends_[tile]};
     }
 
-    /// Whether a tile has a cell for each of its pixels, and items draw nothing but the pixels that
-    /// they cover. Then most entries know their pixels.
+    /// Whether each cell is one pixel, and triangles are drawn only in the pixels that they cover.
+    /// Then most entries are exact.
     bool have_pixels() const { return shift_ == cell_bits && items_->are_pixels_all(); }
 
-    /// Forgets the members of a tile for which `keep` is false. Threads may do so side by side.
+    /// Drops the members of a tile for which `keep` is false. Threads may do this for different
+    /// tiles at the same time.
     template <class Keep> void keep_if(std::size_t tile, const Keep& keep) {
         std::uint32_t end = begins_[tile];
         for (std::uint32_t i = end; i < ends_[tile]; ++i)
@@ -88,8 +93,8 @@ public:
         ends_[tile] = end;
     }
 
-    /// The members of a tile in the order of the sort. Those at its beginning for which `skip` is
-    /// true are dropped for good.
+    /// Sorts the tile's members if needed, drops the first ones while `skip` is true, and returns
+    /// the rest. Later calls do not return the dropped ones.
     template <class Skip> std::span<const painter_entry> rest(std::size_t tile, const Skip& skip) {
         if (!is_sorted_[tile])
             sort(tile);
@@ -100,7 +105,8 @@ public:
         return {entries_.data() + head, end - head};
     }
 
-    /// Calls visit(tile, entry) for each tile that an item reaches.
+    /// Calls visit(tile, entry) for each tile that an item reaches, with the item's entry in this
+    /// tile.
     template <class Visit>
     void for_each(const painter_item& item, std::uint32_t number, const Visit& visit) const {
         if (item.cover != 0 && shift_ == cell_bits)
@@ -113,22 +119,24 @@ public:
     }
 
 private:
-    static constexpr int cell_bits = 3;                               ///< eight cells in a row
-    static constexpr std::uint64_t first_column = 0x0101010101010101; ///< the first of each row
+    static constexpr int cell_bits = 3; ///< 3 bits: a tile has eight cells in a row
+    /// The cells of the first column.
+    static constexpr std::uint64_t first_column = 0x0101010101010101;
 
     /// The entries that a worker finds for its share of the items, in the items' order, and their
-    /// tiles. The worker writes here often. So no two shares lie in one cache line, nor in one pair
-    /// of lines, since some processors fetch both lines of a pair.
+    /// tiles. The worker writes to its share often. So no two shares lie in one cache line, nor in
+    /// one pair of lines, since some processors fetch both lines of a pair.
     struct alignas(128) share_entries {
-        std::size_t first_chunk = 0, end_chunk = 0; ///< chunks of the items
+        std::size_t first_chunk = 0, end_chunk = 0; ///< the share's range of chunks of items
         std::size_t count = 0;                      ///< number of entries
-        std::vector<painter_entry> entries;         ///< the entries, and some that are not in use
+        std::vector<painter_entry> entries; ///< the entries, and some more that are not in use
         std::vector<std::uint32_t> tiles;
-        std::vector<std::uint32_t> ends; ///< where the share ends in each tile
+        /// For each tile, the index behind the share's last entry in this tile.
+        std::vector<std::uint32_t> ends;
     };
 
-    /// Visits the tiles of a small triangle, whose pixels lie in at most two tiles of a row and of
-    /// a column.
+    /// Visits the tiles of a small triangle, whose pixels reach at most two columns and two rows of
+    /// tiles.
     template <class Visit>
     void for_each_of_four(const painter_item& item, std::uint32_t number,
                           const Visit& visit) const {

@@ -20,7 +20,7 @@ struct l3d_pipeline_zsort::stages {
     std::vector<l3d_painter_triangle> triangles;
     l3d_painter_order order;
     l3d_painter painter;
-    l3d_surface_rasterizer_sw depths; ///< depths of the painted triangles
+    l3d_surface_rasterizer_sw depths; ///< fills the depth buffer by the painted triangles
 };
 
 l3d_pipeline_zsort::l3d_pipeline_zsort(l3d_canvas canvas, l3d_polygon_model model,
@@ -60,9 +60,10 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
     report.time_ms.raster = painting.milliseconds();
 }
 
-/// Fills the depth buffer by the painted triangles, and finds pixels at edges. At the centres of
-/// pixels, the order and its cuts tell which triangle is in front. Elsewhere in a pixel depth tells
-/// it, and depth alone tells how far a triangle is. Returns how many pixels are at edges.
+/// Fills the depth buffer by the painted triangles, and refines pixels at edges. At the centre of a
+/// pixel, the painting order tells which triangle is in front. Elsewhere in a pixel, depth tells
+/// which triangle is in front; depth also tells how far a triangle is. Returns the number of pixels
+/// at edges.
 std::int64_t l3d_pipeline_zsort::look_at_depth(const scene& what) {
     l3d_surface_rasterizer_sw& depths = stages_->depths;
     depths.count_pixels(false);

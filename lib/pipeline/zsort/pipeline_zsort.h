@@ -9,11 +9,11 @@
 #include <cstdint>
 #include <memory>
 
-/// Draws polygons by the painter's algorithm: sorted from back to front, without a depth buffer.
-/// Where no order is right, it cuts triangles.
+/// Draws polygons by the painter's algorithm: triangles are painted from back to front, without a
+/// depth buffer. Triangles that have no right order are cut.
 ///
-/// After painting, a depth buffer finds the pixels at edges, for anti-aliasing. Fog and point
-/// lights need its distances, too.
+/// For anti-aliasing, a depth buffer is filled after painting, to find the pixels at edges. Fog and
+/// point lights need its depths, too.
 class L3D_PUBLIC l3d_pipeline_zsort : public l3d_pipeline_polygons {
 public:
     /// A pipeline that draws this model on this canvas.

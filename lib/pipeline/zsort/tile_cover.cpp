@@ -20,14 +20,15 @@ namespace {
 constexpr std::int32_t side = 8; // rows and columns of a tile
 constexpr auto at_once = static_cast<std::int32_t>(lanes);
 
-/// The function of an edge, which is not negative where a pixel's centre is inside of the edge.
+/// The function of a triangle's edge for all pixels: it is not negative where a pixel's centre is
+/// inside of the edge.
 ///
 /// Corners are at most 2^14 apart, and centres at most 2^14 + 2^11 from corners. So products are
-/// below 2^29, and so are their differences.
+/// below 2^29, and their differences below 2^30.
 struct edge_function {
-    std::int32_t first; ///< value at the first pixel of the first tile
+    std::int32_t first; ///< value of the function at the first pixel of the first tile
     std::int32_t per_column, per_row;
-    int_vec pattern; ///< values of a vector's pixels, relative to its first one
+    int_vec pattern; ///< values at a vector's pixels, relative to the vector's first pixel
 
     HWY_INLINE void go_from(const l3d_micro_vertex& a, const l3d_micro_vertex& b, std::int32_t x,
                             std::int32_t y) {

@@ -11,21 +11,21 @@
 
 namespace l3d_detail {
 
-/// Tiles of eight by eight pixels, side by side in rows.
+/// A rectangle of tiles of eight by eight pixels each.
 struct cover_tiles {
-    std::int32_t left, top;     ///< the first pixel of the first tile
-    std::int32_t columns, rows; ///< numbers of tiles
+    std::int32_t left, top;     ///< top left pixel of the first tile
+    std::int32_t columns, rows; ///< numbers of tiles in a row and in a column
 };
 
-/// The largest width and height of a triangle for tile_cover. 64 pixels are 2^14 steps of a
-/// corner's place, whose products fit into 32 bits. Units: pixels.
+/// The largest width and height of a triangle that tile_cover takes. It is 64 pixels, or 2^14 steps
+/// of a corner's coordinate, so that products of two lengths fit into 32 bits. Units: pixels.
 inline constexpr std::int32_t tile_cover_reach = 64;
 
-/// Finds the pixels of tiles that a triangle covers, by the fill rule of scan_polygon. Bit 8 r + c
-/// of a tile's number is set if the pixel in its row r and column c is covered. The numbers of a
-/// row of tiles follow each other in `covers`.
-/// Expects: corners at most tile_cover_reach apart, and tiles that hold a pixel of the triangle's
-///          box.
+/// Finds the pixels that a triangle covers, by the fill rule of scan_polygon. `covers` gets a
+/// number for each tile, row by row. Bit 8 r + c of a tile's number is set if the triangle covers
+/// the pixel in the tile's row r and column c.
+/// Expects: the corners are at most tile_cover_reach apart in x and y, and the rows and columns of
+///          tiles all reach the triangle's box.
 void tile_cover(const std::array<l3d_micro_vertex, 3>& v, const cover_tiles& tiles,
                 std::uint64_t* covers);
 

@@ -20,12 +20,12 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// Floats that are not negative are ordered like their bits.
+/// The bits of a float that is not negative, in all lanes; they are ordered like the float.
 HWY_INLINE int_vec order_of(float value) {
     return set(std::bit_cast<std::int32_t>(value));
 }
 
-/// The member that is painted last in each cell of a tile.
+/// Finds, for each cell of a tile, the member that the sort paints last there.
 class front_cells {
 public:
     HWY_INLINE explicit front_cells(std::span<const painter_entry> members) {
@@ -51,7 +51,7 @@ public:
             hn::StoreU(front_[v], ints(), fronts.data() + lanes * v);
     }
 
-    /// The cells in which a member is painted last.
+    /// The cells in which this member is painted last.
     HWY_INLINE std::uint64_t of(std::size_t member) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)
@@ -59,7 +59,8 @@ public:
         return bits;
     }
 
-    /// The farthest depth of the members painted last in any cell; infinite if there are none.
+    /// The farthest depth of all members that are painted last in some cell; infinite if there are
+    /// none.
     HWY_INLINE float farthest_of_all() const {
         constexpr float none = std::numeric_limits<float>::infinity();
         int_vec least = order_of(none);
@@ -69,7 +70,7 @@ public:
         return std::bit_cast<float>(hn::GetLane(hn::MinOfLanes(ints(), least)));
     }
 
-    /// The cells whose last painted member is not wholly in front of the depth `nearest`.
+    /// The cells in which the member painted last is not wholly in front of the depth `nearest`.
     HWY_INLINE std::uint64_t not_before(float nearest) const {
         std::uint64_t bits = 0;
         for (std::size_t v = 0; v < vectors; ++v)

@@ -11,20 +11,21 @@
 
 namespace l3d_detail {
 
-/// The cells of a triangle in a tile that would be seen if triangles were painted in the order of
-/// the sort. Cells are those of painter_entry.
+/// Which cells of a triangle in a tile would be seen if triangles were painted in the order of the
+/// sort. Cells are those of painter_entry.
 struct cell_sight {
-    std::uint64_t shown; ///< cells where all others are painted before it
-    /// Hidden cells in which the sort may be wrong: their last painted triangle does not lie wholly
-    /// in front of this one.
+    std::uint64_t shown; ///< cells in which this triangle would be painted last
+    /// Cells in which another triangle would be painted last although it is not wholly in front of
+    /// this one: the sort may be wrong there.
     std::uint64_t doubtful;
 };
 
-/// For each cell, row by row, the index of the member that is painted there last; -1 if none is.
+/// For each cell of a tile, row by row, the index of the tile's member that the sort paints last
+/// there; -1 if there is none.
 using tile_fronts = std::array<std::int32_t, 64>;
 
-/// Finds the members in front in a tile, and the sight of each member.
-/// Shape:   `of` has as many elements as there are members.
+/// Finds the member that the sort paints last in each cell of a tile, and the sight of each member.
+/// Shape:   `of` gets the sight of each member, and has as many elements as there are members.
 /// Expects: members by rising numbers.
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of);
 

@@ -18,8 +18,8 @@
 namespace {
 
 /// Reads N numbers at the beginning of a list, and returns the text after the comma that follows
-/// them. That text may be a colour; it is empty without a comma.
-/// Errors:  nothing for fewer numbers, or for a comma with nothing behind it.
+/// the numbers, such as a colour. The result is empty if there is no further comma.
+/// Errors:  returns nothing for fewer numbers, or if no text follows the comma.
 template <std::size_t N>
 std::optional<std::string_view> read_before_color(std::string_view text,
                                                   std::array<double, N>& numbers) {
@@ -33,7 +33,7 @@ std::optional<std::string_view> read_before_color(std::string_view text,
 
 } // namespace
 
-/// Adds a light; the first one replaces the usual light.
+/// Adds the light that a --light describes. The first one replaces the usual light.
 void l3d_afd_options::add_light(const std::string& text) {
     std::array<double, 3> direction{};
     const auto rest = read_before_color(text, direction);
@@ -62,7 +62,8 @@ void l3d_afd_options::add_light(const std::string& text) {
     gives_light_ = true;
 }
 
-/// Adds a point light. Without --light, point lights are the only ones.
+/// Adds the light that a --point-light describes. Without --light, point lights are the only
+/// lights.
 void l3d_afd_options::add_point_light(const std::string& text) {
     std::array<double, 4> numbers{};
     const auto rest = read_before_color(text, numbers);

@@ -42,15 +42,15 @@ void check_place(const char* option, const l3d_camera::vector& place,
                                                  " from the origin");
 }
 
-/// A camera at the same distance, some 25 degrees above and beside its target, where three sides of
-/// a box are seen. The teapot's usual view is from lower.
+/// A camera at the same distance from the target, but some 25 degrees above and beside it. From
+/// there, three sides of a box are seen. The teapot's usual view is from a lower place.
 l3d_camera seen_from_above(l3d_camera camera) {
     const l3d_camera::vector direction = l3d_upright(camera.up).at(0.5, 0.5, 1);
     camera.eye = camera.target + l3d_normalized(direction) * l3d_length(camera.eye - camera.target);
     return camera;
 }
 
-/// Refuses options that have no effect in their combination.
+/// Refuses options that have no effect together with the others.
 /// Errors:  l3d_error(usage).
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
@@ -265,7 +265,7 @@ void l3d_afd_options::add_work_options(l3d_options& options) {
     options.prints_result("--pick");
 }
 
-/// Adds the help's text after all options.
+/// Adds the notes at the end of --help.
 void l3d_afd_options::add_notes(l3d_options& options) {
     options.add_note("COLOR is " + std::string(l3d_detail::color_forms) +
                      ". Names are those of CSS: " + l3d_detail::color_names() + '.');
@@ -311,7 +311,7 @@ l3d_camera l3d_afd_options::camera() const {
     return result;
 }
 
-/// The camera as it is before --eye and --target change it: that of the file, or else the usual
+/// The camera before --eye and --target change it: the camera of --file-camera, or else the usual
 /// one.
 l3d_camera l3d_afd_options::asked_camera() const {
     l3d_camera result = camera_;
@@ -493,7 +493,7 @@ bool l3d_afd_options::write_svg(const l3d_patch_scene& scene) const {
     return true;
 }
 
-/// The tolerance of --svg. Paper shows finer lines than a screen, so it is the tolerance of
+/// The tolerance of --svg. Paper shows finer lines than a screen, so this is the usual tolerance of
 /// drawings, not that of pictures.
 double l3d_afd_options::svg_tolerance() const {
     return std::clamp(tolerance_.value_or(l3d_line_settings().tolerance),
@@ -530,7 +530,8 @@ l3d_patch_scene l3d_afd_options::scene() const {
     });
 }
 
-/// Makes a model or a scene of the file, and prints the notes about it.
+/// Makes a model or a scene (`Made`) of the model's file, and prints notes about the file on
+/// stderr.
 template <class Made>
 Made l3d_afd_options::made_of_file(
     const std::function<std::string(const Made& made)>& edges_note) const {

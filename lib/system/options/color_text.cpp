@@ -36,7 +36,8 @@ std::array<double, 3> levels_of(std::uint32_t word) {
             static_cast<double>(word & 255)};
 }
 
-/// Reads hexadecimal digits: RRGGBB, or RGB, whose digits each count twice, so f is ff.
+/// Reads a colour in hexadecimal digits: RRGGBB, or RGB, in which each digit stands for two: f for
+/// ff.
 std::optional<std::uint32_t> read_digits(std::string_view digits) {
     std::string six(digits);
     if (digits.size() == 3)

@@ -12,19 +12,20 @@
 
 namespace l3d_detail {
 
-/// The names of l3d's own models, sorted: of files without their ending, and of exact shapes.
+/// The names of l3d's own models, sorted: names of files without their ending, and names of exact
+/// shapes.
 std::vector<std::string> model_names();
 
-/// As l3d_options::load_watch.
+/// A function that hears of a model file while it is read, as l3d_options::watch_loads describes.
 using load_watch = std::function<bool(const std::string& file, double share)>;
 
 /// Reads the model that a user means by its name, as l3d_data_file finds it.
-/// Errors:  as l3d_load_model; for an unknown plain name, the message has the folders that were
-///          searched.
+/// Errors:  as l3d_load_model; for an unknown name without a folder, the message names the data
+///          folder and its models.
 l3d_model_file load_named_model(const std::string& name, const load_watch& watch = {});
 
-/// The NURBS surfaces of a model that load_named_model has read: those of an exact shape or of an
-/// .obj file. There are none if the model has other patches.
+/// The NURBS surfaces of a model that load_named_model can read, if it is an exact shape or an .obj
+/// file of such surfaces. The result is empty for other models.
 /// Errors:  as load_named_model.
 std::vector<l3d_nurbs_surface> load_named_surfaces(const std::string& name);
 

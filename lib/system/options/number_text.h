@@ -11,8 +11,8 @@
 #include <string_view>
 #include <type_traits>
 
-/// Reads a number that takes up the whole text.
-/// Errors: false for anything else, for NaN and infinity, and for numbers that T cannot hold.
+/// Reads a text that consists of one number, the same in every locale.
+/// Errors: returns false for other texts, for NaN and infinity, and for numbers that T cannot hold.
 template <class T> bool l3d_read_number(std::string_view text, T& number) {
     const char* const end = text.data() + text.size();
     const auto [stop, error] = std::from_chars(text.data(), end, number);
@@ -23,7 +23,7 @@ template <class T> bool l3d_read_number(std::string_view text, T& number) {
     return true;
 }
 
-/// Reads N numbers with `separator` between them. Errors: false, as l3d_read_number.
+/// Reads N numbers with `separator` between them. Errors: returns false, as l3d_read_number.
 template <class T, std::size_t N>
 bool l3d_read_numbers(std::string_view text, char separator, std::array<T, N>& numbers) {
     for (std::size_t i = 0; i + 1 < N; ++i) {
@@ -35,7 +35,7 @@ bool l3d_read_numbers(std::string_view text, char separator, std::array<T, N>& n
     return l3d_read_number(text, numbers[N - 1]);
 }
 
-/// The shortest text that reads as this number again.
+/// The shortest text from which l3d_read_number reads this number again.
 template <class T> std::string l3d_number_text(T number) {
     std::array<char, 32> text{}; // the longest, -2.2250738585072014e-308, has 24
     const auto result = std::to_chars(text.data(), text.data() + text.size(), number);

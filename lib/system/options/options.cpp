@@ -32,7 +32,7 @@ struct l3d_options::parser {
 
 namespace {
 
-/// The long name of an option "-s,--long", which messages use.
+/// The long name "--long" of an option "-s,--long", for messages.
 std::string long_name(const std::string& name) {
     return name.substr(name.rfind(',') + 1);
 }
@@ -42,7 +42,7 @@ std::string long_name(const std::string& name) {
     throw l3d_error(l3d_exit::usage, long_name(name) + ": '" + text + "' is not " + wanted);
 }
 
-/// Adds an option with a value that `read` converts. The library's own conversions refuse neither
+/// Adds an option whose value `read` converts. The conversions of the library CLI11 refuse neither
 /// NaN nor numbers out of a range, and their messages leave out the value.
 void add_text(CLI::App& app, const std::string& name, const std::string& help,
               const std::string& kind, const std::string& preset,
@@ -69,11 +69,11 @@ std::string wrapped(const std::string& text, std::size_t width) {
     return result + line;
 }
 
-/// Formats help in lines that fit a terminal. It has no section of positional arguments, which
-/// would list options a second time.
+/// Formats --help in lines that fit a terminal. The text has no section of positional arguments,
+/// which would list options a second time.
 class help_formatter : public CLI::Formatter {
     std::string make_positionals(const CLI::App*) const override { return ""; }
-    /// A group with one blank line before it, where the library has two.
+    /// The text of a group of options, with one blank line before it; CLI11 has two.
     std::string make_group(std::string heading, bool is_positional,
                            std::vector<const CLI::Option*> options) const override {
         const std::string group = Formatter::make_group(heading, is_positional, options);
@@ -84,7 +84,8 @@ class help_formatter : public CLI::Formatter {
     }
 };
 
-/// Adds an option with a number in a range. The default is given as text, since there may be none.
+/// Adds an option with a number from `least` to `most`. `preset` is the default as text, since
+/// there may be none.
 template <class T, class Value>
 void add_number(CLI::App& app, const std::string& name, Value& value, const std::string& preset,
                 const std::string& help, const std::string& kind, T least, T most) {
@@ -111,13 +112,14 @@ void print(std::ostream& out, const std::string& text) {
     l3d_detail::check_written(out);
 }
 
-/// Refuses "--name=", for which the library would take the next argument as the value.
+/// Refuses "--name=", for which CLI11 would take the next argument as the value.
 void refuse_empty_value(const std::string& argument) {
     if (argument.rfind("--", 0) == 0 && argument.find('=') == argument.size() - 1)
         throw l3d_error(l3d_exit::usage, argument.substr(0, argument.size() - 1) + ": '' is empty");
 }
 
-/// Refuses the first argument that no option took. Arguments after "--" are no options.
+/// Refuses the first argument that no option took, if there is any. Arguments after "--" are no
+/// options.
 void refuse_what_is_left(const CLI::App& app) {
     const std::vector<std::string> left = app.remaining();
     const bool are_options = left.empty() || left.front() != "--";
@@ -136,8 +138,8 @@ void refuse_what_is_left(const CLI::App& app) {
                         " (see --help)");
 }
 
-/// Opens descriptors 0, 1 and 2 if they are closed. They are opened for reading only, so that
-/// writing to a closed standard output is still an error.
+/// Opens the file descriptors 0, 1 and 2 on /dev/null if they are closed. They are opened for
+/// reading only, so that writing to a closed standard output is still an error.
 void open_standard_streams() {
     for (int descriptor = 0; descriptor < 3; ++descriptor)
         if (fcntl(descriptor, F_GETFD) == -1)
@@ -228,7 +230,8 @@ std::string l3d_options::end_of_help() const {
     return text;
 }
 
-/// Adds the options for processes that make some frames of a sequence, or those that are missing.
+/// Adds the options for a process that makes only some frames of a sequence, or only frames that
+/// are missing.
 void l3d_options::add_batch() {
     const auto read = [this](const std::string& text) {
         std::array<int, 2> range{};

@@ -27,122 +27,130 @@
 
 /// The values of the options that every program has.
 struct L3D_PUBLIC l3d_common_options {
-    std::string backend;               ///< a back-end's name, "ask" or "auto"; empty: not given
-    std::string usual_backend{};       ///< taken if the user names none; empty: any that serves
-    bool no_input = false;             ///< never ask anything
-    bool list_backends = false;        ///< list the back-ends and end
-    bool diagnose = false;             ///< tell what the choice of a back-end depends on, and end
-    bool verbose = false;              ///< tell what was chosen
+    std::string backend;               ///< back-end's name, "ask" or "auto"; empty if not given
+    std::string usual_backend{};       ///< back-end to take if the user names none; empty for any
+    bool no_input = false;             ///< whether the user is never asked
+    bool list_backends = false;        ///< whether to list the back-ends and end
+    bool diagnose = false;             ///< whether to tell what back-ends depend on, and end
+    bool verbose = false;              ///< whether to tell which back-end was chosen
     l3d_size size{};                   ///< size of the picture, in pixels
-    int scale = 0;                     ///< display pixels along the side of a pixel; 0: not given
-    std::string title{};               ///< title of the window; empty: the program's choice
-    l3d_remote remote{};               ///< whether pictures travel sparingly
+    int scale = 0;                     ///< display pixels along a side of a pixel; 0 if not given
+    std::string title{};               ///< title of the window; empty for the program's choice
+    l3d_remote remote{};               ///< whether pictures are sent sparingly, for slow displays
     int first_frame = 0;               ///< number of the first frame that is drawn
-    int frames = 0;                    ///< number of frames, the end of a range; 0: go on
-    bool resume = false;               ///< leave out frames whose file is there
-    std::optional<double> fps;         ///< frames per second, 0: no limit; nothing: not given
+    int frames = 0;                    ///< number of the frame before which to end; 0 for no end
+    bool resume = false;               ///< whether to leave out frames whose file exists
+    std::optional<double> fps;         ///< frames per second, 0 for no limit; nothing if not given
     std::uint64_t seed = 1;            ///< the number that random numbers start with
     l3d_alpha alpha = l3d_alpha::none; ///< whether files hold transparency
-    std::string output; ///< file of the last picture, of every picture, or "-"; empty: none
+    std::string output; ///< file of the last picture, of every picture, or "-"; empty for none
 };
 
-/// A command line: declared with add(), then read once with parse().
+/// A command line: the program declares its options by add(), and then reads them once by parse().
 ///
-/// Every add() borrows a variable. Its present value is the default that --help prints, and parse()
-/// replaces it. `name` is "--long" or "-s,--long".
-/// Expects: the variables outlive parse(); names are not used twice.
+/// Every add() borrows a variable for the option's value. The variable's present value is the
+/// default, which --help prints; parse() replaces it. `name` is "--long" or "-s,--long".
+/// Expects: the variables outlive parse(), and no name is used twice.
 class L3D_PUBLIC l3d_options {
 public:
-    /// Declares the options that all programs have. --help prints `purpose`.
+    /// Declares the options that all programs have. --help begins with `purpose`.
     l3d_options(std::string program, const std::string& purpose, l3d_size default_size);
     l3d_options(const l3d_options&) = delete;
     l3d_options& operator=(const l3d_options&) = delete;
     ~l3d_options();
 
-    /// Begins a group of options: --help lists those that are added from now on under this heading.
+    /// Begins a group of options: --help lists the options that are added from now on under this
+    /// heading.
     void begin_group(const std::string& heading);
 
     /// Adds a paragraph at the end of --help, such as the meaning of a word in capitals.
     void add_note(const std::string& text);
 
-    /// Adds an example at the end of --help: arguments of the program, and their purpose.
+    /// Adds an example at the end of --help: arguments of the program, and what they are for.
     void add_example(const std::string& arguments, const std::string& purpose);
 
-    /// A number from `least` to `most`; NaN and trailing text are refused.
+    /// Adds an option with a number from `least` to `most`; NaN and trailing text are refused.
     void add(const std::string& name, double& value, const std::string& help, double least,
              double most);
     /// A whole number from `least` to `most`.
     void add(const std::string& name, int& value, const std::string& help, int least, int most);
 
-    /// A whole number that may be absent, since its default is found out later, if at all.
+    /// Adds an option with a whole number. `value` stays empty if the option is not given, since
+    /// the default is found out later, if at all.
     void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
              int most);
 
-    /// A number that may be absent; --help prints `preset`.
+    /// Adds an option with a number. `value` stays empty if the option is not given; --help prints
+    /// `preset` as the default.
     void add(const std::string& name, std::optional<double>& value, double preset,
              const std::string& help, double least, double most);
 
-    /// Any text but the empty one; --help calls it `kind`, such as FILE. If the name begins with
-    /// "FILE,", the user may give one such text without the option's name.
+    /// Adds an option with any text but the empty one; --help calls the text `kind`, such as FILE.
+    /// If `name` begins with "FILE,", the user may give one text without the option's name.
     void add(const std::string& name, std::string& value, const std::string& help,
              const std::string& kind);
 
-    /// A flag: true when given.
+    /// Adds a flag: an option without a value, which sets `value` to true.
     void add(const std::string& name, bool& value, const std::string& help);
 
-    /// Three finite numbers X,Y,Z.
+    /// Adds an option with three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
-    /// An option that may be given several times. `take` gets each text in turn. It throws an
-    /// l3d_error that names the text if it refuses that. --help prints `preset`.
+    /// Adds an option that may be given several times. The function `take` gets the text of each in
+    /// turn. If it refuses a text, it throws an l3d_error that names the text. --help prints
+    /// `preset` as the default.
     void add_each(const std::string& name, const std::string& help, const std::string& kind,
                   const std::string& preset, std::function<void(const std::string&)> take);
 
-    /// A background: "gradient", "none", or a colour. A colour is R,G,B of whole numbers from 0 to
-    /// 255, #RGB, #RRGGBB or a name of CSS. The value stays empty unless given, and `help` says
-    /// what that means. With "none", written files have alpha.
+    /// Adds an option with a background: "gradient", "none", or a colour. A colour is R,G,B of
+    /// whole numbers from 0 to 255, #RGB, #RRGGBB or a name of CSS. `value` stays empty if the
+    /// option is not given; `help` says what is drawn then. With "none", written files hold
+    /// transparency.
     void add(const std::string& name, std::optional<l3d_background>& value,
              const std::string& help);
 
-    /// Three numbers that may be absent, since their default is found out later.
+    /// Adds an option with three numbers X,Y,Z. `value` stays empty if the option is not given,
+    /// since the default is found out later.
     void add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,
              const std::string& help);
 
-    /// Two finite numbers X,Y, which may be absent.
+    /// Adds an option with two finite numbers X,Y. `value` stays empty if the option is not given.
     void add(const std::string& name, std::optional<l3d_vector<double, 2>>& value,
              const std::string& help);
 
-    /// A size WIDTHxHEIGHT, each from 1 to l3d_largest_side.
+    /// Adds an option with a size WIDTHxHEIGHT. Width and height are from 1 to l3d_largest_side.
     void add(const std::string& name, l3d_size& value, const std::string& help);
 
-    /// One of a few words, each meaning a value, as in {{"afd", kind::afd}, {"exact",
-    /// kind::exact}}.
-    /// Expects: `value` is among them.
+    /// Adds an option with one of a few words. Each word stands for a value, as in {{"afd",
+    /// kind::afd}, {"exact", kind::exact}}.
+    /// Expects: `value` is among these values.
     template <class T>
     void add_choice(const std::string& name, T& value, const std::string& help,
                     const std::vector<std::pair<std::string, T>>& choices);
 
-    /// Reads the command line. Returns false if --help or --version was printed, and the program
-    /// should end well. Standard streams that are closed are first opened on /dev/null. Otherwise a
-    /// socket would get the number of a standard stream, and all that is printed.
+    /// Reads the command line. Returns false if --help or --version was printed, so that the
+    /// program should end with success. Standard streams that are closed are first opened on
+    /// /dev/null. Otherwise a socket would get the number of a standard stream, and with it all
+    /// printed text.
     ///
-    /// Errors:  l3d_error(usage) that names the option and the value; also if two options name one
-    ///          file, or the standard output.
+    /// Errors:  l3d_error(usage) that names the option and the value. It is also thrown if two
+    ///          options name the same file, or both name the standard output.
     bool parse(int argc, const char* const* argv);
-    /// Reads the command line, and prints --help and --version on `out`.
+    /// As parse(argc, argv), but prints the texts of --help and --version on `out`.
     bool parse(int argc, const char* const* argv, std::ostream& out);
 
-    /// Says that an option has a result beside pictures, such as a report. Expects: the option was
-    /// added.
+    /// Declares that an option has a result beside pictures, such as a report. Expects: the option
+    /// was added.
     void has_result(const std::string& name) { with_results_.push_back(name); }
 
-    /// As has_result(), for a result on the standard output. Then no file may go there.
+    /// As has_result(), for a result that is printed on the standard output. If the option is
+    /// given, no file may be written to the standard output.
     /// Expects: the option was added.
     void prints_result(const std::string& name) {
         has_result(name);
         printed_.push_back(name);
     }
 
-    /// Whether the command line has an option that has_result() named.
+    /// Whether the user gave an option that was declared by has_result().
     bool wants_result() const;
 
     /// The program's name, for titles and files.
@@ -153,14 +161,14 @@ public:
     /// The values of the options that all programs have. Expects: parse() is done.
     const l3d_common_options& common() const { return common_; }
 
-    /// Replaces --output, for a program or factory manager that has a better default.
+    /// Replaces the value of --output, for a program or factory manager that has a better default.
     void set_output(const std::string& name) { common_.output = name; }
 
-    /// Sets the back-end that is taken unless the user names one.
+    /// Sets the back-end that is taken if the user names none.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
-    /// Sets a function that hears of a model file while it is read: its name, and the share that is
-    /// done, from 0 to 1. Reading ends if it returns false.
+    /// Sets a function that is called while a model file is read, with the file's name and the
+    /// share that is read, from 0 to 1. If `watch` returns false, reading stops.
     void watch_loads(std::function<bool(const std::string& file, double share)> watch) {
         load_watch_ = std::move(watch);
     }
@@ -169,10 +177,11 @@ public:
         return load_watch_;
     }
 
-    /// The request for a screen. Its title is the program's name unless the user gives another.
+    /// The request for a screen, as the options ask for it. The title is the program's name, unless
+    /// the user gives another one.
     l3d_screen_request screen_request() const;
 
-    /// The settings of a dispatcher. With --frames, time goes by fixed steps, so that windows and
+    /// The settings for a dispatcher. With --frames, time goes by fixed steps, so that windows and
     /// memory show the same pictures.
     l3d_frame_settings frame_settings() const;
 
@@ -191,7 +200,7 @@ private:
         std::string arguments, purpose;
     };
 
-    /// An option that names a file. Lives: borrows the value.
+    /// An option whose value names a file. Lives: borrows the value.
     struct named_file {
         std::string option;
         const std::string* value;
@@ -206,12 +215,12 @@ private:
     std::unique_ptr<parser> parser_;
 };
 
-/// Prints one line on stderr, "program: text". Returns the exit code for main: that of an
-/// l3d_error, or l3d_exit::failure.
+/// Prints an error as one line on stderr, "program: text". Returns the exit code for main: the code
+/// of an l3d_error, or l3d_exit::failure.
 L3D_PUBLIC int l3d_report(std::string_view program, const std::exception& error);
 
-/// Reports the code that l3d_dispatcher::start returned, and returns it. Says nothing if all went
-/// well.
+/// Prints a line on stderr about the code that l3d_dispatcher::start returned, unless it is
+/// success. Returns the code as the exit code for main.
 L3D_PUBLIC int l3d_report(std::string_view program, l3d_exit code);
 
 template <class T>
@@ -229,14 +238,16 @@ void l3d_options::add_choice(const std::string& name, T& value, const std::strin
     add_words(name, help, words, preset, [values, &value](std::size_t i) { value = values[i]; });
 }
 
-/// A row of a table of options. Its option is refused if it was given where nothing uses it.
+/// A row of a table for l3d_refuse: an option that is refused if it was given and would have no
+/// effect.
 struct l3d_refusal {
     const char* option;
     bool is_refused;
-    std::string why; ///< begins in small letters, for it follows the option's name and a colon
+    /// The reason; begins with a small letter, since it follows the option's name and a colon.
+    std::string why;
 };
 
-/// Throws if an option of the table is to be refused.
+/// Throws if a row of the table says that its option is refused.
 /// Errors:  l3d_error(usage) that names the first such option, and why.
 inline void l3d_refuse(std::initializer_list<l3d_refusal> table) {
     for (const l3d_refusal& row : table)

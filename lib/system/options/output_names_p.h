@@ -8,24 +8,27 @@
 
 namespace l3d_detail {
 
-/// The ending of a name, in small letters, with its dot: ".png"; empty without one.
+/// The ending of a file's name, in small letters, with its dot, such as ".png"; empty if there is
+/// none.
 std::string ending_of(const std::string& name);
 
-/// The place at which a file with this name would be written: where a link leads, even to a missing
-/// file.
+/// The path at which a file with this name would be written. If the name is a link, this is the
+/// path that the link leads to, even if no file is there.
 std::filesystem::path place_of(const std::string& name);
 
-/// Whether two names lead to the same file, or both to the standard output. A device, such as
-/// /dev/null, takes anything.
+/// Whether two names lead to the same file, or both to the standard output. It is false for a
+/// device, such as /dev/null, which several outputs may share.
 bool mean_one_file(const std::string& a, const std::string& b);
 
-/// Checks that the folder is there. This comes early: a run of frames should not end with the news
-/// that its folder never existed.
+/// Checks that the folder of `file` exists. `option` and `name` are the option and its value, for
+/// the message. Call it early: a run of frames should not fail at its end since its folder never
+/// existed.
 /// Errors:  l3d_error(failure) that names the option, its value and the folder of `file`.
 void check_folder(const std::string& option, const std::string& name, const std::string& file);
 
-/// Checks a name for --depth-output and similar options. Shape: the ending has a dot, as ".pfm".
-/// Errors:  l3d_error: usage for another ending than that of the format, failure for a missing
+/// Checks the name of a file for --depth-output and similar options: its ending, such as ".pfm",
+/// and its folder.
+/// Errors:  l3d_error: usage if the name has another ending than `ending`; failure for a missing
 ///          folder.
 void check_ending(const std::string& option, const std::string& name, const std::string& ending);
 

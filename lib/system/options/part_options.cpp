@@ -54,7 +54,8 @@ l3d_part_options::l3d_part_options(l3d_options& options) {
     options.has_result("--list-parts");
 }
 
-/// Adds a part's colour. The last equals sign separates the two, as only names may have some.
+/// Adds a colour from a text PART=COLOR. The last equals sign separates part and colour, since only
+/// names of parts may have equals signs.
 void l3d_part_options::add_color(const std::string& text) {
     const std::size_t at = text.rfind('=');
     const bool has_both = at != text.npos && at > 0;
@@ -88,7 +89,7 @@ void l3d_part_options::list(const l3d_parts& parts, std::string_view things) {
         throw l3d_error(l3d_exit::failure, "cannot write to the standard output");
 }
 
-/// Refuses names that are no parts.
+/// Refuses names of --color, --show-only and --hide that are no parts.
 void l3d_part_options::check(const l3d_parts& parts) const {
     for (const colored& color : colors_)
         check_name(parts, "--color", color.part);
@@ -109,8 +110,8 @@ void l3d_part_options::check_opacities(const l3d_parts& parts) const {
                " parts");
 }
 
-/// A model with --color, --hide and --show-only applied, as far as it has these parts. It may
-/// become empty.
+/// The model with --color, --hide and --show-only applied, as far as it has the named parts. The
+/// result may be empty.
 template <class Model> Model l3d_part_options::as_asked(const Model& model) const {
     Model result = model;
     for (const colored& color : colors_)
@@ -162,8 +163,9 @@ l3d_patch_scene l3d_part_options::scene_by_opacity(const l3d_patch_scene& whole)
     return result;
 }
 
-/// Adds an instance to a scene, as one instance for each of its opacities. A part's last opacity
-/// counts, in place of those of its materials. A hidden part has none.
+/// Adds an instance to the scene `to`, divided into one instance for each part that --opacity names
+/// and for each opacity of the other materials. If a part is named twice, the last opacity counts.
+/// Parts that the model does not have, such as hidden ones, add nothing.
 void l3d_part_options::add_by_opacity(const l3d_patch_instance& whole, l3d_patch_scene& to) const {
     std::map<std::size_t, double> by_part;
     for (const opacity& o : opacities_)

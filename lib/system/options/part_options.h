@@ -18,45 +18,48 @@
 #include <string_view>
 #include <vector>
 
-/// Options for the parts of a model, added to a program's own.
+/// Adds options that list, hide and colour the named parts of a model to the command line of a
+/// program.
 ///
 /// Lives: borrowed by the l3d_options until parse() is done.
 class L3D_PUBLIC l3d_part_options {
 public:
-    /// Declares the options. Lives: borrows them until parse() is done.
+    /// Adds the options to `options`.
     explicit l3d_part_options(l3d_options& options);
     l3d_part_options(const l3d_part_options&) = delete;
     l3d_part_options& operator=(const l3d_part_options&) = delete;
 
-    /// Whether --list-parts asks for the list instead of a picture.
+    /// Whether --list-parts asks for a list of parts instead of a picture.
     bool lists() const { return lists_; }
 
-    /// Prints a line for each part: its name and the number of its things, such as "8 patches".
+    /// Prints a line for each part: its name, and the number of its patches or faces, such as "8
+    /// patches". `things` is the word for these.
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
     /// Applies --color, --hide, --show-only and --opacity to a scene. Each part that --opacity
-    /// names becomes an instance. The rest of an instance is divided into one instance for each
-    /// opacity that its materials have.
+    /// names becomes an instance of its own. The other patches are divided into one instance for
+    /// each opacity that their materials have.
     /// Errors:  as applied().
     l3d_patch_scene scene(const l3d_patch_scene& whole) const;
 
-    /// Applies --opacity alone to a scene: for a viewer whose list of parts serves the other
-    /// options.
-    /// Errors:  l3d_error(usage) as scene().
+    /// Applies only --opacity to a scene, for a viewer that applies the other options by its list
+    /// of parts.
+    /// Errors:  l3d_error(usage) for a name of --opacity that is no part, or for too many parts.
     l3d_patch_scene scene_by_opacity(const l3d_patch_scene& whole) const;
-    /// Makes a list of parts hide and colour those that --color, --hide and --show-only name.
+    /// Applies --color, --hide and --show-only to a list of the model's parts.
     /// Errors:  as applied().
     void put_into(l3d_part_list& list, const l3d_parts& parts) const;
-    /// Refuses --opacity, since parts of a model of polygons have none. Errors: l3d_error(usage).
+    /// Refuses --opacity, since parts of a model of polygons have no opacity. Errors:
+    /// l3d_error(usage).
     void refuse_for_polygons() const;
 
     /// Applies --color, --hide and --show-only to a model of patches.
-    /// Errors:  l3d_error(usage) that names the option, for a name that is no part; it lists the
-    ///          parts.
+    /// Errors:  l3d_error(usage) for a name that is no part, with the option and a list of the
+    ///          parts; also if no part is left.
     l3d_patch_model applied(const l3d_patch_model& model) const;
-    /// Applies the same options to a model of polygons.
-    /// Errors:  as for patches; l3d_error(usage) also for --opacity.
+    /// Applies --color, --hide and --show-only to a model of polygons.
+    /// Errors:  as for patches; also l3d_error(usage) if --opacity was given.
     l3d_polygon_model applied(const l3d_polygon_model& model) const;
 
 private:

@@ -12,54 +12,55 @@
 #include <optional>
 #include <string>
 
-/// The pipelines that a program may draw a model with.
+/// The ways to draw a model that --pipeline names.
 enum class L3D_PUBLIC l3d_pipeline_kind {
     afd,     ///< patches by adaptive forward differencing
-    zsort,   ///< triangles from far to near, cut where no order is right
+    zsort,   ///< triangles painted from far to near, and cut if they have no right order
     zbuffer, ///< triangles with a depth buffer
-    mesa,    ///< triangles by OpenGL in memory
-    suitable ///< the one that suits the model
+    mesa,    ///< triangles by Mesa's OpenGL, in memory
+    suitable ///< the pipeline that suits the model
 };
 
-/// Adds options for pipeline, projection and style. l3d_afd_options has those that patches and
-/// polygons share.
+/// Adds options for the pipeline, and for models of polygons, to the command line of a program.
+/// l3d_afd_options has the options that patches and polygons share.
 ///
-/// Lives:   both options are borrowed until parse() is done.
+/// Lives:   borrows `shared`; the l3d_options borrow this object until parse() is done.
 class L3D_PUBLIC l3d_polygon_options {
 public:
-    /// Declares the options. Without --pipeline, trimmed and subdivided surfaces are drawn as
-    /// patches. With `prefers_patches`, so is any model of patches alone.
-    /// Lives: borrows both until parse() is done.
+    /// Adds the options to `options`. Without --pipeline, trimmed and subdivided surfaces are drawn
+    /// as patches. If `prefers_patches` is true, any model of patches alone is drawn as patches,
+    /// too.
+    /// Lives: borrows both arguments until parse() is done.
     l3d_polygon_options(l3d_options& options, const l3d_afd_options& shared,
                         bool prefers_patches = false);
     l3d_polygon_options(const l3d_polygon_options&) = delete;
     l3d_polygon_options& operator=(const l3d_polygon_options&) = delete;
 
-    /// The pipeline that --pipeline names, or the one that suits the model; never `suitable`. For
-    /// --drawing and --svg it is that of patches.
-    /// Errors:  l3d_error(bad_input) with file and line, if it takes a look at the model.
+    /// The pipeline that --pipeline names, or the one that suits the model; never `suitable`. With
+    /// --drawing or --svg it is afd, which draws patches.
+    /// Errors:  l3d_error(bad_input) with file and line, if the model's file must be looked into.
     l3d_pipeline_kind pipeline() const;
 
-    /// Writes the parts of the model to standard output, as l3d_part_options::list does. They are
-    /// parts of patches if the model would be drawn as patches, else parts of faces.
+    /// Writes the parts of the model to the standard output, as l3d_part_options::list does. Lines
+    /// count patches if the model would be drawn as patches, otherwise faces.
     /// Errors:  as model().
     void list_parts() const;
 
-    /// The polygons of the model asked for, or of the teapot. Patches become triangles. Skipped
-    /// parts of a file are reported on stderr.
+    /// The model that the user asks for, or the teapot, as polygons. Patches become triangles.
+    /// Notes on skipped parts of a file go to stderr.
     /// Errors:  l3d_error(bad_input) with file and line.
     l3d_polygon_model model() const;
 
     /// The settings that the options ask for.
-    /// Errors: as l3d_afd_options::settings; l3d_error(usage) for options of patches alone, such as
-    ///         --depth-output and --net.
+    /// Errors: as l3d_afd_options::settings; also l3d_error(usage) for options that only patches
+    ///         have, such as --depth-output and --net.
     l3d_polygon_settings settings() const;
 
-    /// The options that turn and project a model as these settings do, each after a blank; "" for
-    /// none.
+    /// The options that turn a model as these settings do, each after a blank; "" if the model is
+    /// not turned.
     static std::string view_options(const l3d_polygon_settings& settings);
 
-    /// Checks the options of a program that draws patches, as --pipeline afd asks.
+    /// Refuses options of polygons in a program that draws patches, as --pipeline afd asks.
     /// Errors:  l3d_error(usage) if an option of polygons has another value than its default.
     void refuse_for_patches() const;
 
@@ -67,7 +68,7 @@ private:
     const l3d_afd_options& shared_;
     bool prefers_patches_ = false;
     l3d_pipeline_kind pipeline_ = l3d_pipeline_kind::suitable;
-    /// The answer of pipeline(), kept after the first call.
+    /// The result of pipeline(), kept after the first call.
     mutable std::optional<l3d_pipeline_kind> chosen_;
     bool hidden_lines_ = false, to_origin_ = false;
     l3d_vector<double, 3> rotation_ = l3d_polygon_settings().rotation;
