@@ -44,8 +44,8 @@ public:
     /// hidden pieces.
     void mark_seen(std::vector<bool>& pieces) const;
 
-    /// Whether parts of the cell that was judged last would hardly be bounded better: at each of the
-    /// cell's corners, a piece without any bound of its normals may be seen.
+    /// Whether parts of the cell that was judged last would hardly be bounded better: at each of
+    /// the cell's corners, a piece without any bound of its normals may be seen.
     bool is_hopeless() const { return is_hopeless_; }
 
     /// The facts about a piece that decide which other pieces it meets.
