@@ -386,8 +386,9 @@ double l3d_most_off_plane(const l3d_surface_part& part, unsigned blocks,
     return std::max(most - l3d_vertex_accuracy::of_centre(), most / 4);
 }
 
-/// More steps help where quads are too far off planes: the bounded and the measured error fall with
-/// the square of the steps. The error of snapping does not fall, and may exceed the budget.
+/// More steps help where quads are too far off planes. Both the bounded and the measured error fall
+/// with the square of the number of steps. The error of snapping does not fall, and may exceed the
+/// budget.
 bool l3d_ask_for_planes(const l3d_surface_part& part, const l3d_step_plan& plan,
                         const l3d_dice_view& view, double depth_budget, l3d_block_needs& needs) {
     if (needs.without_normals == 0)

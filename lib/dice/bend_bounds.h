@@ -29,7 +29,7 @@ public:
     /// Takes the bends of a patch that is placed in a view.
     /// Units:   `w_per_length` is the scaled w of a length of 1 in the model; `focal` is
     ///          l3d_dice_view::focal.
-    /// Expects: the bends are those of the placed patch, except that its scale may differ.
+    /// Expects: the bends of the placed patch, or of the same patch at another scale.
     l3d_bend_bounds(const l3d_surface_bends& bends, double w_per_length, double focal)
         : bends_(&bends), w_per_length_(w_per_length), focal_(focal) {}
 
@@ -46,8 +46,8 @@ public:
 
     /// Bounds the errors that remain with the chosen steps. `clipped` says that the piece was
     /// clipped, so that its shade levels are linear over triangles.
-    /// Expects: the arguments that ask() had, with the needs as it left them; the plan made from
-    ///          these needs; the slits along the piece's sides.
+    /// Expects: the arguments of ask(), with the needs that ask() raised; the plan made from these
+    ///          needs; the spans of the slits along the piece's sides.
     l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
                                         double depth_budget, const l3d_block_needs& needs,
                                         const l3d_step_plan& plan, const l3d_gap_spans& slits,
@@ -74,8 +74,8 @@ private:
 inline constexpr double l3d_snapped_planes = 0.001;
 
 /// Measures the largest error of depth that arises because the corners of a quad do not lie on one
-/// plane. The error adds to that of the vertices. Only quads in the given blocks of the grid are
-/// looked at.
+/// plane. This error comes on top of the vertices' error. Only quads in the given blocks of the
+/// grid are looked at.
 ///
 /// The vertices' error already allows for rounding the centre of a folded quad. A flat quad has no
 /// such centre, so its error is reduced by this allowance. A folded quad has a centre, but is drawn

@@ -19,8 +19,8 @@ struct l3d_dice_vertex {
 };
 
 /// How far the longest triangle of a slit reaches along the grid's side, for each block of the
-/// side. Bounds of shade are computed from it: an edge has steps of its own, so a triangle may span
-/// several steps of the grid.
+/// side. Bounds of shade are computed from these lengths. An edge has steps of its own, so a slit's
+/// triangle may span several steps of the grid.
 /// Shape: [along u, along v][block of the side].
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
@@ -67,8 +67,8 @@ struct l3d_diced_piece {
     std::vector<std::array<double, 2>> border_along;
 
     /// A place on a side of the piece where the border of a trimmed region follows an edge of the
-    /// model. Where the slit beside the side is cut there, a strip fills what is between the cut
-    /// and the edge.
+    /// model. If the slit beside the side is cut at this place, a strip fills the space between the
+    /// cut and the edge.
     struct crossing {
         std::array<double, 2> at; ///< the place's parameters u and v
         std::uint32_t edge;

@@ -30,8 +30,8 @@ inline double l3d_power_form_error(double largest) {
     return 190 * l3d_real_traits<double>::unit_roundoff * largest;
 }
 
-/// The errors of a piece's vertices and the range of their coordinates. From these, drawn_error()
-/// makes a bound of errors of places.
+/// The errors of a piece's vertices and the range of their coordinates. drawn_error() computes a
+/// bound of errors of places from these numbers.
 ///
 /// Units: errors of x, y and w are in units of homogeneous points; reaches are in pixels from the
 ///        picture's centre.
@@ -51,7 +51,7 @@ struct l3d_vertex_accuracy {
     static constexpr double in_front = 1.25, crossing = 2;
 
     /// The part of drawn_error() that comes from rounding the centre of a folded quad to
-    /// sub-pixels. Slits have no folded quads, so their bound leaves it out. Units: pixels.
+    /// sub-pixels. Slits have no folded quads, so their bound leaves this part out. Units: pixels.
     static double of_centre() { return in_front * l3d_snap_error<double>(0); }
 
     /// Bounds the error of drawn points that comes on top of the chord error, for points inside the
@@ -75,7 +75,7 @@ struct l3d_vertex_accuracy {
 };
 
 /// Bounds the error of a vertex along the line of sight: the error of w, and the rounding of depth
-/// to a float. The error of the vertex' place in the picture is not part of it.
+/// to a float. The bound does not include the error of the vertex' place in the picture.
 /// Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
     return view.focal * (error_w / w_low) + view.depth_rounding();

@@ -36,8 +36,8 @@ bool is_pushed_away(const l3d_image_net& net, const l3d_dice_view& view, double 
     return view.near != camera_near && net.w().least < view.near && net.w().most > camera_near;
 }
 
-/// For each of a piece's blocks along u or v, finds the patch's block that holds it. The piece was
-/// made by halving the patch.
+/// For each of a piece's blocks along u or v, finds the patch's block that holds the piece's block.
+/// The piece was made by halving the patch.
 std::array<std::size_t, 4> blocks_along(const std::vector<double>& parameters) {
     const double low = parameters.front(), size = parameters.back() - low;
     std::array<std::size_t, 4> result;
@@ -200,7 +200,8 @@ template <class T> void l3d_frame_dicer<T>::prepare_trims(const task& of) {
     }
 }
 
-/// Dices the slots in wanted_, on all workers. Each may spend `share` of the budget.
+/// Dices the slots in wanted_, on all workers. Each slot may spend the amount `share` of the
+/// budget.
 template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int64_t share) {
     by_height_.clear();
     for (const std::size_t i : wanted_)
@@ -212,7 +213,8 @@ template <class T> void l3d_frame_dicer<T>::dice_slots(const task& of, std::int6
     });
 }
 
-/// Shares the rest of the budget among patches whose share was too small, and dices these again.
+/// Shares the rest of the budget among patches whose share was too small, and dices these patches
+/// again.
 template <class T>
 void l3d_frame_dicer<T>::dice_short_ones(const task& of, std::int64_t allowance,
                                          std::int64_t share) {
@@ -340,9 +342,9 @@ void l3d_frame_dicer<T>::dice_placed(std::size_t i, const task& of, l3d_dice_bud
         dice_patch(net, normals, backs, slot(i), budget, space);
 }
 
-/// Builds the edges of a patch. An edge has the errors of its own points, which are the same for
-/// all patches that share the edge. If two smaller patches lie beyond an edge, the edge consists of
-/// their two edges.
+/// Builds the edges of a patch. An edge's rounding errors are bounded from its own control points
+/// alone. So patches that share an edge get the same bounds for it. If two smaller patches lie
+/// beyond an edge, the edge consists of their two edges.
 template <class T>
 void l3d_frame_dicer<T>::build_edges(const l3d_patch_instance& instance,
                                      const l3d_matrix<double>& to_image, std::size_t patch,
@@ -392,7 +394,7 @@ template <class T> void l3d_frame_dicer<T>::share_memory_sizes() {
 }
 
 /// Finds the blocks of a patch that back-face culling leaves out, since only their backs are turned
-/// to the eye. With one-sided surfaces, such blocks of any patch are left out. With two-sided
+/// to the eye. With one-sided surfaces, these blocks are left out of every patch. With two-sided
 /// surfaces, the patch must belong to a closed body that is wholly in front of the near plane and
 /// not opened by a section. The body's front hides its backs.
 template <class T>
@@ -413,8 +415,8 @@ unsigned l3d_frame_dicer<T>::backs_of(const l3d_patch_instance& instance,
     return eye ? model.facing(patch).away_from(*eye, side) : 0;
 }
 
-/// Finds the blocks of a patch that may fold over as seen from the eye. These are the blocks that
-/// are not proven to show one side alone.
+/// Finds the blocks of a patch that may fold over as seen from the eye. A block may fold over
+/// unless it is proven to show one side alone.
 template <class T>
 unsigned l3d_frame_dicer<T>::folds_of(const l3d_patch_instance& instance,
                                       const l3d_matrix<double>& to_image, std::size_t patch) const {

@@ -41,8 +41,8 @@ enum class l3d_dice_way {
 ///
 /// Each batch may spend half of the budget that is left, and the last batch all that is left. The
 /// patches of a batch get equal shares. Patches that keep the tolerance with less than their share
-/// leave the rest to the other patches. These are diced again, as long as that at least doubles
-/// their shares. So no frame costs twice its budget.
+/// leave the rest to the other patches. These other patches are diced again, as long as this at
+/// least doubles their shares. So no frame costs twice its budget.
 ///
 /// For a shade that inspects surfaces, vertices have their parameters in place of normals. Then the
 /// material of a part is the index of the part's patch among all patches of the frame. In a frame

@@ -38,8 +38,9 @@ l3d_image_curve column_at(const l3d_image_patch& block, double u, int steps, boo
 }
 
 /// The factor 1 or -1 that turns a triangle's light to the side that it shows. If all corners show
-/// one side, the triangle shows that side. If an outline passes through, the triangle's turn in the
-/// picture decides. A triangle that turns to the right shows the side opposite to the normals.
+/// one side, the triangle shows that side. If corners show different sides, an outline passes
+/// through the triangle. Then the triangle's turn in the picture decides. A triangle that turns to
+/// the right shows the side opposite to the normals.
 float side_of(const std::array<l3d_clip_vertex, 3>& v) {
     if (v[0].away == v[1].away && v[1].away == v[2].away)
         return v[0].away ? -1.0F : 1.0F;
@@ -415,7 +416,7 @@ l3d_clip_vertex l3d_grid_builder<T>::grid_vertex(const piece& p, const l3d_micro
 }
 
 /// Fills the slit along one side of a piece. `vertex_at` gives the vertices along the side, and
-/// `side_at` the sign of the light beside each.
+/// `side_at` the sign of the light beside each vertex.
 template <class T>
 template <class VertexAt, class SideAt>
 void l3d_grid_builder<T>::fill_slit(const piece& p, std::size_t side, VertexAt vertex_at,

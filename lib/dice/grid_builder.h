@@ -32,13 +32,13 @@ public:
     void begin(const l3d_dice_view& view, const l3d_normal_net& normals,
                const l3d_edge_polylines& edges);
 
-    /// Draws a piece and its slits: adds them to `out`.
+    /// Draws a piece: adds its grid or triangles, and its slits, to `out`.
     /// Expects: the sides of the piece name edges that were given to begin().
     void draw(const piece& p, const l3d_piece_bounds<T>& nets, const l3d_step_plan& plan,
               l3d_diced_piece& out);
 
-    /// Completes a piece that needs no clipping, whose grid is in `out`. It moves the grid's
-    /// corners to the places that neighbours use, too, and fills the slits.
+    /// Completes a piece that needs no clipping and whose grid is in `out`. Moves the grid's
+    /// corners to the places that neighbouring pieces use, and fills the slits.
     /// Expects: the grid's blocks, out.u and out.v are written.
     void close(const piece& p, l3d_diced_piece& out);
 

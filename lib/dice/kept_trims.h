@@ -14,9 +14,9 @@
 #include <span>
 #include <vector>
 
-/// Keeps, for grids of a model's patches, which parts of their quads the trims leave. Instances
-/// whose grids of a patch have the same lines share the result. Most grids have the same lines as
-/// in the frame before, so their results are used again.
+/// Keeps what trims leave of the quads in grids of a model's patches. Two instances share a result
+/// if their grids of a patch have the same lines. Most grids have the same lines as in the frame
+/// before, so their results are used again.
 ///
 /// Lives: a result lives as long as every frame asks for it. The object keeps its model alive.
 /// Cost:  no allocation for grids that the frame before had.

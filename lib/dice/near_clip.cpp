@@ -101,8 +101,8 @@ void project(l3d_clip_vertex& v, const l3d_dice_view& view) {
     v.drawable = true;
 }
 
-/// Notes the sides of a clipped polygon that planes made as borders of out.part. The polygon's
-/// triangles begin at index `first` there.
+/// Planes made some sides of a clipped polygon. This function notes these sides as borders of
+/// out.part. The polygon's triangles begin at index `first` of the part's triangles.
 void note_cuts(const polygon& shape, std::size_t first, l3d_diced_piece& out) {
     for (std::size_t i = 0; i < shape.count; ++i) {
         if (!shape.is_cut[i])

@@ -26,8 +26,8 @@ l3d_clip_vertex l3d_canonical_vertex(const l3d_image_point& h, const l3d_dice_vi
 ///
 /// A drawable corner keeps its vertex bit for bit. A new corner on the edge p q depends on p and q
 /// alone, whatever their order. So triangles that share an edge still fit together. With
-/// anti-aliasing, new sides become borders of out.part, if it has no grid. Such sides lie in the
-/// near plane, the far plane or the plane of a section.
+/// anti-aliasing, new sides in the near plane, the far plane or the plane of a section become
+/// borders of out.part, if it has no grid.
 /// Source: Sutherland, Hodgman, Reentrant Polygon Clipping, CACM 17, 1974, in homogeneous space.
 void l3d_clip_triangle(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c,
                        const l3d_dice_view& view, l3d_diced_piece& out);

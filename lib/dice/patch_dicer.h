@@ -24,8 +24,8 @@ inline constexpr std::size_t l3d_most_pieces = 2048;
 
 /// The largest number of vertices of a patch, without the vertices of its edges. The patch has
 /// about as many quads. A patch that fills 16384 x 16384 pixels and bends by all of their width
-/// needs 2300^2 = 5 million vertices at the finest tolerance. Dicing and drawing so many takes some
-/// 2 seconds and 700 MB.
+/// needs 2300^2 = 5 million vertices at the finest tolerance. Dicing and drawing so many vertices
+/// takes some 2 seconds and 700 MB.
 inline constexpr std::int64_t l3d_most_samples = std::int64_t{1} << 23;
 
 /// The budget of a patch: the cost that dicing the patch may have. is_short tells afterwards
@@ -51,8 +51,8 @@ inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 /// A patch starts as one piece. A piece is cut in two if it would need more than 32 steps a strip.
 /// It is also cut if it has to be clipped and needs more than l3d_most_steps_clipped steps a strip.
 /// The piece with the most excess steps is cut first. No patch is cut into more than
-/// l3d_most_pieces pieces. If these are not enough, the rest is drawn as finely as the budget
-/// allows, and the bound tells the error.
+/// l3d_most_pieces pieces. If more pieces would be needed, the rest of the patch is drawn as finely
+/// as the budget allows, and the bound tells the error.
 ///
 /// Forward differences in T walk a piece's rows, and each strip restarts exactly. Along each side,
 /// the piece fills the slit between its own boundary row and the side's edge polyline. Both
@@ -143,7 +143,7 @@ private:
     void draw_coarsely(const piece& p, std::int64_t samples, std::int64_t cost, task& of);
     void draw(const piece& p, const planned& how, task& of);
 
-    std::vector<waiting> waiting_; ///< a heap: the least fine on top
+    std::vector<waiting> waiting_; ///< a heap: the piece with the largest excess on top
     l3d_grid_builder<T> drawer_;
 };
 

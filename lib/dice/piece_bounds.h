@@ -20,8 +20,8 @@
 /// do (`near_outline`).
 inline constexpr int l3d_most_steps_clipped = 2;
 
-/// The nets of a piece and of its blocks. It decides whether the piece is clipped and walked, and
-/// bounds the errors of its vertices.
+/// The nets of a piece and of its blocks. This class decides whether the piece is clipped and
+/// whether it is walked, and bounds the errors of the piece's vertices.
 ///
 /// Shape: block 4 * b + a is u-strip a, v-strip b; a small piece has one block.
 template <class T> class l3d_piece_bounds {

@@ -21,8 +21,8 @@ struct l3d_point_place {
 /// Finds the pixel centre for a patch that may be drawn as a point. Returns nothing for other
 /// patches.
 ///
-/// The bounding box of its net, with the point's own extent, must be within the tolerance and hold
-/// exactly one pixel's centre. All points of the net must be at nearly the same depth
+/// The bounding box of the patch's net, with the point's own extent, must be within the tolerance
+/// and hold exactly one pixel's centre. All points of the net must be at nearly the same depth
 /// (l3d_dice_view::depth_of_point). Any pixel centre that the patch covers is in the box, so no gap
 /// opens. If the patch does not cover the drawn centre, the centre is still within the tolerance of
 /// the patch's points.

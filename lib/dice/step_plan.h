@@ -17,7 +17,8 @@
 inline constexpr int l3d_most_steps_of_one_block = 3;
 
 /// The largest width or height of a net that may be one block. Larger nets get four strips along
-/// each direction. A quarter of this size is that of a small net, 24 pixels. Units: pixels.
+/// each direction. A quarter of this size is 24 pixels, below which a net is small (l3d_is_small).
+/// Units: pixels.
 inline constexpr double l3d_largest_one_block = 96;
 
 /// Whether a net is diced as one block. It is one block if it is small (l3d_is_small), or so flat

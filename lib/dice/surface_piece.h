@@ -27,8 +27,8 @@ struct l3d_piece_side {
 struct l3d_surface_piece : l3d_patch_part {
     std::array<l3d_piece_side, 4> sides;
 
-    /// A corner at the place that all pieces that share the corner give it, for clipping. The
-    /// vertex has no normal.
+    /// The vertex of a corner, for clipping. All pieces that share the corner get the same place.
+    /// The vertex has no normal.
     l3d_clip_vertex corner(bool high_u, bool high_v, const l3d_dice_view& view) const {
         l3d_clip_vertex result = l3d_canonical_vertex(net.at(high_v ? 3 : 0, high_u ? 3 : 0), view);
         result.dice.u = high_u ? u1 : u0;

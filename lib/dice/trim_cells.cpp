@@ -242,7 +242,7 @@ void l3d_trim_cells::cut_quad(const l3d_grid_trims& by, const l3d_grid_trims::pa
 }
 
 /// Finds the quads that lie wholly inside the region. Notes as borders the sides at which such a
-/// quad meets a quad that does not.
+/// quad meets a quad that lies partly or wholly outside.
 void l3d_trim_cells::note_whole_quads(const l3d_grid_trims& by) {
     const l3d_micro_grid& grid = piece_->part.grid;
     is_whole_.assign(grid.x.size(), false);

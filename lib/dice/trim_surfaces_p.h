@@ -25,16 +25,16 @@ struct l3d_trim_error {
     void add(const l3d_trim_error& other);
 };
 
-/// Bounds the rounding of a new corner on a trim's border: how far it is off the mean of vertices
-/// that it stands for. Units: pixels.
+/// Bounds how far rounding moves a new corner on a trim's border. The corner stands for a mean of
+/// vertices. Units: pixels.
 inline double l3d_trimmed_snap(const l3d_dice_view& view) {
     return l3d_snap_error<double>(l3d_guard_band) + view.depth_rounding();
 }
 
 namespace l3d_detail {
 
-/// A point of the surface between `Corners` vertices. It has the weight of each vertex in the
-/// point.
+/// A point of the surface between `Corners` vertices. The point is a mean of these vertices, with a
+/// weight for each.
 template <std::size_t Corners> struct blended_point {
     std::array<double, Corners> shares{};
     l3d_micro_vertex vertex;

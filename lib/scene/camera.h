@@ -50,7 +50,8 @@ struct L3D_PUBLIC l3d_upright {
 /// The kind of projection.
 enum class L3D_PUBLIC l3d_projection {
     perspective, ///< things twice as far are half as large
-    parallel,    ///< sizes are those of perspective at the target; nothing is behind the eye
+    /// Things look as large as in perspective at the target; nothing is behind the eye.
+    parallel,
 };
 
 /// A camera in a right-handed world, which looks from its eye to its target. A new camera stands at
@@ -69,8 +70,7 @@ struct L3D_PUBLIC l3d_camera {
     /// Farthest distance along the view axis that is drawn, in world units. The default hides
     /// nothing: no point is farther from any eye than sqrt(3) 1.001e15.
     double far_z = 1e16;
-    /// The kind of projection: in perspective, all rays meet in the eye. In a parallel projection,
-    /// near_z and far_z cut nothing.
+    /// The kind of projection. In a parallel projection, near_z and far_z cut nothing.
     l3d_projection projection = l3d_projection::perspective;
 
     friend bool operator==(const l3d_camera&, const l3d_camera&) = default;
@@ -153,7 +153,7 @@ L3D_PUBLIC l3d_reach l3d_reach_of(const l3d_patch_scene& scene);
 /// turn the model.
 inline constexpr double l3d_framed_share = 0.85;
 
-/// The camera that shows all of a model in a picture of that size. It keeps the line of sight's
+/// The camera that shows all of a model in a picture of this size. It keeps the line of sight's
 /// direction, `up` and `fov`. The model fills l3d_framed_share of the picture's width or of its
 /// height, and at most this share of the other side. The target is in the middle of the model's
 /// depth. `near_z` becomes smaller if it would cut the model.
@@ -164,7 +164,7 @@ inline constexpr double l3d_framed_share = 0.85;
 ///          farther than l3d_farthest_eye from the origin stays within.
 L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
-/// Whether a picture of that size shows all of a model well. It does if the model takes 60 % or
+/// Whether a picture of this size shows all of a model well. It does if the model takes 60 % or
 /// more of its width or height, and is not near one border with much room opposite. For a parallel
 /// projection the answer is always no.
 /// Expects: a valid camera.

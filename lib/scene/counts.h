@@ -76,10 +76,11 @@ struct L3D_PUBLIC l3d_surface_certificate {
 /// Counts and error bounds of a frame's dicing. They include the patches left out because their
 /// control net, or the net's box, proves them unseen. `clipped` counts grids, not patches.
 struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
-    std::int64_t behind = 0;     ///< patches left out: behind the near plane
-    std::int64_t beyond = 0;     ///< patches left out: beyond the far plane
-    std::int64_t hidden = 0;     ///< patches left out: hidden by earlier patches
-    std::int64_t unchanged = 0;  ///< patches left out: beside the part that was drawn again
+    std::int64_t behind = 0; ///< patches left out: behind the near plane
+    std::int64_t beyond = 0; ///< patches left out: beyond the far plane
+    std::int64_t hidden = 0; ///< patches left out: hidden by earlier patches
+    /// Patches left out: outside the part of the picture that was drawn again.
+    std::int64_t unchanged = 0;
     std::int64_t backfacing = 0; ///< patches left out: only their back is turned to the eye
     /// Blocks of drawn patches left out: only their back is turned to the eye.
     std::int64_t back_blocks = 0;
@@ -97,8 +98,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t unfinished = 0; ///< coarse patches that a larger budget would make finer
     l3d_coarse_patch coarsest;   ///< the patch with the largest bound
 
-    /// Certified distance of all that was drawn from the exact surface, along its normal at the
-    /// same parameters.
+    /// Certified distance between the drawn shapes and the exact surface, along the surface's
+    /// normal at the same parameters.
     /// Units: pixels at that depth.
     double depth_bound_px = 0;
 
@@ -112,8 +113,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// pixels.
     double strips_px = 0, strips_depth_px = 0;
 
-    /// Adds an error of `px` pixels to the bounds of all shapes but strips. Strips have no such
-    /// error: their bounds are strips_px and strips_depth_px.
+    /// Adds an error of `px` pixels to the bounds of all shapes but strips. The bounds of strips,
+    /// strips_px and strips_depth_px, do not change.
     void add_off(double px) {
         bound_px = std::max(bound_px + px, strips_px);
         depth_bound_px = std::max(depth_bound_px + px, strips_depth_px);
@@ -190,7 +191,7 @@ struct L3D_PUBLIC l3d_culling_switches {
     /// Dices patches that could be drawn as a point each.
     bool dicing = false;
 
-    /// All switches, as if there were no rule.
+    /// All switches are true, so that no rule leaves anything out.
     static constexpr l3d_culling_switches all() { return {true, true, true, true, true}; }
 
     friend bool operator==(const l3d_culling_switches&, const l3d_culling_switches&) = default;

@@ -31,7 +31,7 @@ struct l3d_image_section {
     bool cuts_off(std::span<const l3d_image_point> net) const {
         return is_on() && std::ranges::all_of(net, [&](const auto& h) { return distance(h) <= 0; });
     }
-    /// Whether the plane leaves the whole convex hull of these points.
+    /// Whether the plane cuts off nothing of the convex hull of these points.
     bool leaves(std::span<const l3d_image_point> net) const {
         return !is_on() || std::ranges::all_of(net, [&](const auto& h) { return distance(h) > 0; });
     }
@@ -68,7 +68,7 @@ constexpr std::int64_t l3d_usual_samples(l3d_size size, double tolerance) {
 }
 
 /// The largest error a that outlines may have in pictures with smooth edges. With a tolerance of b
-/// pixels, the bound of such outlines is 1 / (1 / a + 1 / b). It is a twelfth of a pixel at the
+/// pixels, the bound of outlines is 1 / (1 / a + 1 / b). This bound is a twelfth of a pixel at the
 /// usual tolerance of a quarter. Measured outlines have a root mean square error of a sixth of this
 /// bound. The coverage of a pixel by 64 samples errs by 0.73 / 64 of a pixel, which is nearly as
 /// much.
@@ -91,7 +91,8 @@ struct l3d_dice_view {
     double tolerance = 0.25;
 
     /// The length in pixels of a unit at distance 1. If it is not 0, errors of depth are kept
-    /// within the tolerance, too. If it is 0, only errors of places in the picture are.
+    /// within the tolerance, too. If it is 0, only errors of places in the picture are kept within
+    /// the tolerance.
     double focal = 0;
     double shade_tolerance = 2; ///< largest error of shade levels, of 255, if focal is not 0
     double depth_scale = 1;     ///< the quotient of scaled w and distance along the view axis
@@ -109,7 +110,8 @@ struct l3d_dice_view {
     /// unknown; of_share() then cannot reduce errors.
     double terms = 0;
     double eye_terms = 0; ///< the eye's part of terms
-    /// The camera's near plane, which errors of w may push to `near`; 0: the same as `near`.
+    /// The w of the camera's near plane. Errors of w may push the plane farther away, to `near`. 0
+    /// stands for the same w as `near`.
     double camera_near = 0;
     l3d_culling_switches keep;
     std::int64_t most_samples = 0; ///< the frame's budget of samples; 0: l3d_usual_samples
@@ -167,8 +169,8 @@ struct l3d_dice_view {
                (is_parallel() ? 1.25 / std::abs(depth_slope() * w_middle) : 1.0);
     }
 
-    /// The factor by which budgets of errors are smaller where outlines may be. It exceeds 1 with
-    /// smooth edges, which show outlines more exactly.
+    /// The factor by which budgets of errors are smaller where outlines may be. This factor exceeds
+    /// 1 with smooth edges, which show outlines more exactly.
     double finer_outlines() const {
         return shading.antialias ? 1 + tolerance / l3d_widest_outline : 1;
     }

@@ -29,8 +29,8 @@ double steady_bound(double value) {
 constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
 
 /// Rounding turns the picture's axes to the right and down by at most this angle, divided by the
-/// sine between the line of sight and `up`. The angle is 4 ulps, for the line of sight and its
-/// product with `up`.
+/// sine of the angle between the line of sight and `up`. The angle is 4 ulps, for the line of sight
+/// and its product with `up`.
 constexpr double turning = 4 * 0x1p-53;
 
 /// Bound of the distance of any control point from a place: the sum of distances along the axes.

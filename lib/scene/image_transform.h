@@ -34,8 +34,9 @@ public:
     /// A plane of the world in the space of the transformed points, with the same distances.
     l3d_image_section section(const l3d_plane<double>& plane) const;
 
-    /// How much farther from the target the eye is from which w is counted, compared with the
-    /// camera's eye. It is 0, except in a parallel projection.
+    /// In a parallel projection, w is counted from an eye that is farther from the target than the
+    /// camera's eye. This is the difference of the two eyes' distances from the target. It is 0 in
+    /// perspective.
     double nearer() const { return w_middle_ / depth_scale_ - to_target_; }
 
     /// Sets the members of a shading that tell the rasterizer how depths in a parallel projection

@@ -313,9 +313,9 @@ public:
     /// The largest magnitudes of a patch's coordinates. Expects: as normals.
     const l3d_patch_reach& reach(std::size_t index) const;
 
-    /// 1 if the model is proven to be a closed body whose normals point outwards; -1 if it is
-    /// proven closed and they point inwards. 0 if the model is not proven to be closed
-    /// (l3d_orientation_of).
+    /// 1 if the model is proven to be a closed body whose normals point outwards; -1 if the model
+    /// is proven to be a closed body whose normals point inwards. 0 if the model is not proven to
+    /// be closed (l3d_orientation_of).
     int orientation() const;
 
     /// The least x, y and z of all control points.

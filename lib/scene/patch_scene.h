@@ -156,13 +156,13 @@ public:
     /// Expects: a model that at_level() made of model().
     void take_level(const l3d_patch_model& level) { model_ = level; }
 
-    /// Gives the whole instance one material. Without a material, those of the model are seen.
+    /// Gives the whole instance one material. Without a material, the model's materials are seen.
     void paint(const std::optional<l3d_material>& material) { material_ = material; }
     /// The material of the whole instance, if it has one of its own.
     const std::optional<l3d_material>& material() const { return material_; }
 
-    /// Lays a picture on the whole instance. The picture's light is multiplied by that of the
-    /// material.
+    /// Lays a picture on the whole instance. The picture's light is multiplied by the material's
+    /// light.
     void lay(const l3d_laid_picture& picture) { picture_ = picture; }
     /// The picture that lies on the instance.
     const l3d_laid_picture& picture() const { return picture_; }
@@ -176,8 +176,8 @@ public:
     /// The matrix from the model's space to the world.
     const l3d_matrix<double>& placement() const { return placement_; }
 
-    /// Whether the model's normals have other directions in the world: not if it was only moved,
-    /// or scaled by one positive number.
+    /// Whether the model's normals have other directions in the world than in the model. They do
+    /// not if the model was only moved, or scaled by one positive number.
     bool turns_normals() const { return turns_normals_; }
 
     /// The matrix that takes the model's normals to the world: the cofactors of the placement,
@@ -203,8 +203,8 @@ public:
     /// The bound reach(most) for all points of the model.
     double reach() const;
 
-    /// The sums of the magnitudes in the placement's first three columns, the factors of a model's
-    /// coordinates.
+    /// The sum of the magnitudes in each of the placement's first three columns. These columns are
+    /// the factors of a point's x, y and z.
     const l3d_vector<double, 3>& terms() const { return terms_; }
     /// The sum of the magnitudes in the placement's last column, the translation.
     double shift() const { return shift_; }
@@ -221,7 +221,7 @@ private:
     double scale_ = 1, opacity_ = 1;
 };
 
-/// Models of bicubic patches, each standing anywhere any number of times.
+/// Models of bicubic patches, placed in the world. Each model may stand at any number of places.
 ///
 /// Patches of one instance meet without a gap where their control points do. Patches of two
 /// instances do so only if the placements are the same numbers.
@@ -274,15 +274,15 @@ public:
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
-    /// Gives all of an instance one material. Without a material, those of its model are seen
-    /// again. The material stays when the instance is placed elsewhere, until another model takes
-    /// its place.
+    /// Gives all of an instance one material. Without a material, the materials of the instance's
+    /// model are seen again. The material stays when the instance is placed elsewhere, until
+    /// another model takes its place.
     /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
     /// Lays a picture on the patches of an instance. An l3d_laid_picture without a texture takes
-    /// the picture away. Shades that show light show the picture; its light is multiplied by that
-    /// of the material. The picture stays when the instance is placed elsewhere, until another
+    /// the picture away. Shades that show light show the picture, and multiply its light by the
+    /// material's light. The picture stays when the instance is placed elsewhere, until another
     /// model takes its place.
     /// Expects: an index of instances(); corners for no piece, or for each piece of the model.
     void lay(std::size_t index, const l3d_laid_picture& picture);

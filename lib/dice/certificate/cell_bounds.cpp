@@ -22,8 +22,8 @@ bool meet(double low_a, double high_a, double low_b, double high_b) {
     return low_a <= high_b && low_b <= high_a;
 }
 
-/// The parameters of a piece along a side of its patch, in the direction in which one walks round
-/// the patch.
+/// The range of a piece's parameters along a side of its patch, in the direction in which one walks
+/// round the patch.
 interval along_side(const l3d_cell_bounds::member& p, std::size_t side) {
     switch (side) {
     case 0:
@@ -105,7 +105,8 @@ bool is_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell, const l3d_dice
 
 constexpr unsigned all_corners = 15;
 
-/// The bits of a cell's corners that a piece without any bound of its normals may reach.
+/// Finds the corners of a cell that a piece without any bound of its normals may reach. The result
+/// has a bit for each corner.
 unsigned dark_corners_of(const l3d_doubt_leaf& leaf, const l3d_image_box& cell) {
     if (leaf.piece.of->turned < infinite)
         return 0;
@@ -164,8 +165,9 @@ void l3d_cell_bounds::connect() {
 }
 
 /// Finds which sheets are in the cell. A sheet that does not end in the cell fills the cell if one
-/// of the sheet's places is in it. The sheet is absent if it misses the cell's middle. Pieces that
-/// trims remove wholly are not seen; they only end the sheets to which they are joined.
+/// of the sheet's places is in it. Such a sheet is absent from the cell if the sheet misses the
+/// cell's middle. Pieces that trims remove wholly are not seen; they only end the sheets to which
+/// they are joined.
 void l3d_cell_bounds::look_for(const l3d_image_box& cell, const l3d_dice_view& view,
                                double margin) {
     const double x = (cell.left + cell.right) / 2, y = (cell.top + cell.bottom) / 2;

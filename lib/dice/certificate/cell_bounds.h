@@ -28,8 +28,9 @@ public:
                             std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view,
                             const l3d_light_bounds& background);
 
-    /// Whether a cell, grown by the bound of places, certainly shows a single surface. It must do
-    /// so even if each surface is drawn nearer or farther by its bound of depth.
+    /// Whether a cell, grown by the bound of places, certainly shows a single surface. The cell
+    /// must show this surface alone even if each surface is drawn nearer or farther by its bound of
+    /// depth.
     /// Shape: `touching` as in judge().
     bool is_drawn_alone(const l3d_image_box& grown, std::span<const std::uint32_t> touching,
                         std::span<const l3d_doubt_leaf> leaves, const l3d_dice_view& view);
@@ -44,8 +45,9 @@ public:
     /// hidden pieces.
     void mark_seen(std::vector<bool>& pieces) const;
 
-    /// Whether parts of the cell that was judged last would hardly be bounded better: at each of
-    /// the cell's corners, a piece without any bound of its normals may be seen.
+    /// Whether it is hopeless to cut the cell that was judged last, since its parts would hardly be
+    /// bounded better. It is hopeless if a piece without any bound of its normals may be seen at
+    /// each of the cell's corners.
     bool is_hopeless() const { return is_hopeless_; }
 
     /// The facts about a piece that decide which other pieces it meets.
@@ -55,13 +57,15 @@ public:
         const l3d_doubt_patch* of;
         unsigned sides; ///< a bit for each side of its patch that the piece reaches
         int facing;
-        std::uint32_t index;   ///< the piece's index in `leaves`
-        unsigned dark_corners; ///< bits of the cell's corners at which the piece may show any light
-        double nearest = 0;    ///< least w of the piece in the cell
+        std::uint32_t index; ///< the piece's index in `leaves`
+        /// A bit for each corner of the cell at which the piece may have any light.
+        unsigned dark_corners;
+        double nearest = 0; ///< least w of the piece in the cell
     };
 
 private:
-    /// The facts about a sheet: pieces that are connected in the cell, and perhaps further pieces.
+    /// The facts about a sheet. A sheet holds pieces that are connected in the cell, and perhaps
+    /// further pieces.
     struct sheet {
         bool may_end = false; ///< whether the sheet may end or fold in the cell
         bool is_there = false, may_be_there = false;

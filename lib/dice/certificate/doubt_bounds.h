@@ -47,11 +47,12 @@ struct l3d_doubt_patch {
     double error_xy = 0, error_w = 0; ///< errors of the patch's homogeneous points
     double near = 0;                  ///< the w of the patch's near plane
     double normal_off = 0;            ///< error of the patch's normals, which are not unit vectors
-    /// Largest difference of its unit normals from those of the surface that it approximates.
+    /// Largest difference between the patch's unit normals and those of the surface that the patch
+    /// approximates.
     double turned = 0;
     const l3d_side_pairs* sides = nullptr; ///< the patch's neighbours in its model
-    /// Whether the patch's back is not drawn. The sign `back` of l3d_doubt_bounds::facing means its
-    /// back.
+    /// Whether the patch's back is not drawn. Where l3d_doubt_bounds::facing has the sign `back`,
+    /// the patch shows its back.
     bool one_sided = false;
     double back = 1;
     l3d_color_parts color{1, 1, 1}; ///< colour of the patch's material
@@ -73,8 +74,8 @@ struct l3d_doubt_piece : l3d_exact_part {
     /// How much of the piece the trims of its face leave. A border of the trims runs through the
     /// piece if they leave a `part`.
     enum class left : unsigned char { all, part, none } there = left::all;
-    /// The region that trims leave of the piece, in the patch's parameters, if they leave a part;
-    /// else empty.
+    /// The region that trims leave of the piece, in the patch's parameters. It is empty unless
+    /// trims leave a part.
     l3d_trim_region trims;
 
     /// Sets the region that trims leave of the piece. Expects: the region lies in the piece.
@@ -92,8 +93,8 @@ struct l3d_doubt_piece : l3d_exact_part {
     }
 };
 
-/// Shade levels of the exact picture, of 255: the level of ambient light, and the most that the
-/// cosine adds.
+/// Shade levels of the exact picture, from 0 to 255: the level of ambient light alone, and the most
+/// that the cosine with the light's direction adds to this level.
 inline constexpr double l3d_ambient_level = 25.5, l3d_cosine_level = 229.5;
 
 /// The view, the light and the background that all pieces of a frame share.
@@ -108,9 +109,9 @@ struct l3d_doubt_view {
     l3d_doubt_lighting lighting{};
     /// Error bounds of the drawn frame: of places in the picture, and of depth along the normal.
     double bound_px = 0, depth_bound_px = 0;
-    l3d_background background{}; ///< behind all surfaces; not none
+    l3d_background background{}; ///< the background behind all surfaces; not l3d_background::none()
 
-    /// The light of the background in a row of pixels, exactly.
+    /// The exact light of the background in a row of pixels.
     l3d_light_bounds background_light(int row) const {
         const std::uint32_t word = background.word(row, view.size.height);
         const std::array<double, 3> channels{l3d_light_of_level(word >> 16 & 255),
@@ -141,12 +142,13 @@ struct l3d_doubt_cosines {
 /// Bounds of a piece's place, depth and light in the exact picture.
 struct l3d_doubt_bounds {
     l3d_image_box box;         ///< a box in the picture that holds the whole piece
-    double at_x = 0, at_y = 0; ///< the piece's own place: places in lines are relative to it
+    double at_x = 0, at_y = 0; ///< the piece's own place, from which l3d_doubt_line counts places
     unsigned open_sides = 0;   ///< a bit for each side of the piece where the surface ends
-    bool may_end = false;      ///< whether the near or far plane may cut the piece, or trims do
+    bool may_end = false;      ///< whether the near plane, the far plane or trims may cut the piece
     /// The sign of the normal along the line of sight; 0 if both signs may occur.
     int facing = 0;
-    /// Whether the piece's back may be turned to the eye, and is not drawn.
+    /// Whether parts of the piece may be missing: its back is not drawn, and may be turned to the
+    /// eye.
     bool may_be_missing = false;
 
     l3d_doubt_line w;
@@ -164,7 +166,8 @@ struct l3d_doubt_bounds {
     std::array<double, 4> parameters{};
     double u_off = 0, v_off = 0; ///< largest errors of the map `parameters`; infinite if unknown
     double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
-    /// The part of picture_off that comes from the error of points. Smaller pieces have it, too.
+    /// The part of picture_off that comes from the error of points. Halving the piece does not make
+    /// this part smaller.
     double point_off = 0;
 
     /// Whether the piece may reach into a box.
@@ -186,8 +189,8 @@ struct l3d_doubt_leaf {
     l3d_doubt_bounds bounds;
     bool has_no_area = false; ///< whether the piece is seen edge-on, so that it adds no light
 
-    /// Whether trims leave nothing of the piece. Such a piece is kept because a sheet that meets it
-    /// ends there.
+    /// Whether trims leave nothing of the piece. The piece is kept because sheets that meet it end
+    /// there.
     bool is_gone() const { return piece.there == l3d_doubt_piece::left::none; }
 };
 

@@ -11,7 +11,7 @@ using vector = l3d_normal_polynomial::vector;
 constexpr std::size_t order = l3d_normal_polynomial::order;
 
 /// The least cosine of normals with their common axis for which bounds are computed. If any normal
-/// has a smaller one, only the bounds -1 and 1 are known.
+/// has a smaller cosine, only the bounds -1 and 1 are known.
 constexpr double least_cosine = 1.0 / 16;
 
 /// The half-way vector between lamp and eye, for all places of a piece. The vector is nearly a

@@ -13,7 +13,7 @@
 namespace l3d_detail {
 
 /// Bounds the relative rounding of sums of a few dozen products in double. Each operation adds
-/// 2^-53, so there is much to spare.
+/// 2^-53 of the sum's terms, so this bound is far larger than needed.
 inline constexpr double rounding = 0x1p-40;
 
 /// A linear function of a piece's parameters, which run from -1/2 to 1/2. The constructor takes
@@ -35,8 +35,8 @@ struct plane {
     double range() const { return std::abs(in_u) + std::abs(in_v); }
 };
 
-/// The coefficients of a piece's normals, split into parts along an axis common to all and parts
-/// across it. Cosines of the normals are bounded by these parts.
+/// The coefficients of a piece's normals. Each is split into a part along an axis that all share,
+/// and a part across this axis. Cosines of the normals are bounded from these parts.
 struct seen_normals {
     using vector = l3d_normal_polynomial::vector;
     static constexpr std::size_t count =
@@ -65,11 +65,12 @@ struct cosines {
 };
 
 /// Turns a linear function of a piece's parameters into a linear function of the place in the
-/// picture. `off` is the error of the first; the result has an error of its own.
+/// picture. `off` is the error of the function of parameters. The result's `off` is the error of
+/// the function of the place.
 l3d_doubt_line line_of(const plane& of, double off, const l3d_doubt_bounds& b);
 
-/// Sets `into` to a line and the range from `least` to `most`, or to the range alone if the line
-/// adds nothing.
+/// Sets `into` to a line and the range from `least` to `most`, or to the range alone if the line's
+/// error is no less than half of the range.
 void put(l3d_doubt_line& into, double least, double most, const l3d_doubt_line& line);
 
 /// Sets b.lamps: the bounds of the cosines for all lamps of the piece's lighting. Also sets

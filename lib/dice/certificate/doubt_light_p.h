@@ -25,7 +25,7 @@ struct interval {
 };
 
 /// The lines that decide the light of a piece: its level alone, or the cosines for all lamps and w.
-/// Each is a number that is nearly linear in the place in the picture.
+/// Each line bounds a number that is nearly a linear function of the place in the picture.
 struct light_lines {
     static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
 
@@ -41,8 +41,9 @@ using light_ranges = std::array<interval, light_lines::most>;
 l3d_light_bounds light_in(const l3d_doubt_leaf& leaf, const l3d_image_box& cell,
                           const l3d_light_bounds& background);
 
-/// Bounds the mean light of a cell that a single sheet fills, where nothing else is seen. It takes
-/// the lines of the best known piece, and how far the lines of all other pieces differ from these.
+/// Bounds the mean light of a cell that a single sheet fills, where nothing else is seen. The
+/// bounds follow from the lines of the best known piece, and from the differences between these
+/// lines and those of all other pieces.
 class lone_sheet {
 public:
     lone_sheet(const l3d_image_box& cell, const l3d_light_bounds& background)

@@ -11,12 +11,12 @@
 
 namespace {
 
-/// The fineness of the finest cells, which are 2^-fineness pixels wide: where they may show
-/// surfaces of different looks, and where they show one surface. Cells that judge the drawing are
-/// at least 2^-3 pixel wide, and about twice as wide as the bound of places.
+/// The finest cells are 2^-fineness pixels wide. The fineness is finest_contrast where cells may
+/// show surfaces of different looks, and finest_surface where cells show one surface. Cells that
+/// judge the drawing are at least 2^-3 pixel wide, and about twice as wide as the bound of places.
 constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 
-/// If a pixel's level is known to within this, the pixel is not cut any further. A cell is a small
+/// A pixel whose level is known to within fine_levels is not cut any further. A cell is a small
 /// part of its pixel. So the cell's own level may be less certain, in proportion to 1 / its width.
 constexpr double fine_levels = 1;
 

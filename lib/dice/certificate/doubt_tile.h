@@ -14,7 +14,7 @@
 
 /// Bounds of a pixel of the exact picture. Units: parts of the pixel's square, from 0 to 1.
 struct l3d_doubt_pixel {
-    /// Bounds of the pixel's light: the sum of those of its cells.
+    /// Bounds of the pixel's light: the sums of the bounds of its cells' light.
     l3d_light_bounds light;
 
     /// The part in which it is uncertain which surface the exact picture shows.
@@ -32,7 +32,7 @@ struct l3d_doubt_pixel {
 
 /// Bounds the pixels of a square tile of the exact picture. It halves patches into pieces as small
 /// as pixels and judges each pixel. Uncertain cells are cut in four, again and again. The pieces
-/// that reach into them are halved, too.
+/// that reach into uncertain cells are halved, too.
 ///
 /// Lives: kept from tile to tile for its memory.
 /// Cost:  some 7 us a pixel inside a surface, and a millisecond a pixel at an outline.
@@ -53,8 +53,9 @@ public:
     std::int64_t cuts() const { return cuts_; }
 
 private:
-    /// A square of the picture, and the questions that are still open in it: of its light, of its
-    /// drawing. Shape: column and row in the tile, counted in cells of the present fineness.
+    /// A square of the picture. `of_light` says that its light is still to be bounded. `of_drawing`
+    /// says that it is still to be judged whether the square is drawn with the right surface.
+    /// Shape: column and row in the tile, counted in cells of the present fineness.
     struct cell {
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
@@ -79,7 +80,9 @@ private:
 
     const l3d_doubt_view* view_ = nullptr;
     l3d_pixel_box tile_;
-    /// How far cells are grown: the bound of places while the drawing is judged, else 0.
+    /// How far cells are grown when boxes are matched with them, in pixels. If any cell's drawing
+    /// is still to be judged, this is the view's `bound_px`, the error bound of drawn places; else
+    /// 0.
     double grown_ = 0;
     bool judges_drawing_ = false;
     int finest_drawing_ = 0;
@@ -88,11 +91,12 @@ private:
     double areas_left_out_ = 0; ///< area of pieces whose light is not counted
     std::int64_t cuts_ = 0;
     std::vector<cell> cells_;
-    std::vector<std::int32_t> grid_; ///< index in cells_ for each possible cell, or -1
+    /// For each place of a cell: the index of its cell in cells_, or -1.
+    std::vector<std::int32_t> grid_;
     std::vector<l3d_doubt_leaf> leaves_, next_leaves_;
     std::vector<bool> is_needed_; ///< for each leaf, whether a smaller cell may still show it
-    /// The leaves that touch each cell, one cell after the other: cell i has those from first_[i]
-    /// on.
+    /// touching_ lists the leaves that touch each cell, one cell after another. The leaves of cell
+    /// i begin at index first_[i] of this list.
     std::vector<std::uint32_t> first_, touching_;
     std::vector<l3d_doubt_pixel> pixels_;
     l3d_cell_bounds judge_;

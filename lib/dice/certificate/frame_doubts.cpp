@@ -75,7 +75,7 @@ std::vector<l3d_doubt_lamp> lamps_of(const l3d_doubted_frame& frame, const vecto
     return result;
 }
 
-/// The largest distance from their faces of the edges that a patch's trims follow.
+/// The largest distance between an edge and its faces, among the edges that a patch's trims follow.
 double off_edges(const l3d_patch_model& model, std::size_t patch) {
     double result = 0;
     if (const l3d_trim_region* const trims = model.trim(patch))

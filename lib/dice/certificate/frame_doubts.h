@@ -33,7 +33,8 @@ struct l3d_doubted_frame {
     l3d_fog fog{};
     double nearer = 0; ///< how much nearer the camera's own eye is than the eye that w counts from
     l3d_pixels drawn;  ///< the picture: greys in all three channels, or any colours
-    l3d_background background{}; ///< the exact background behind all surfaces; not none
+    /// The exact background behind all surfaces; the kind is not `none`.
+    l3d_background background{};
 };
 
 /// Bounds how far each pixel of a drawn frame is off the exact picture. It bounds the exact picture
@@ -74,8 +75,8 @@ private:
         l3d_doubt_patch of;
         l3d_image_box box;
     };
-    /// Bounds of a pixel of the frame. `light` is the mean over all choices of which transparent
-    /// surfaces are there.
+    /// Bounds of a pixel of the frame. `light` is a weighted mean over all choices: each
+    /// transparent instance may be there, or not.
     struct pixel {
         l3d_light_bounds light;
         double unsure = 0, unsure_drawn = 0, covered = 0; ///< the largest parts over all choices
@@ -97,7 +98,7 @@ private:
     std::vector<placed> patches_;
     std::vector<l3d_doubt_tile> tiles_; ///< one for each worker
     l3d_error_map map_, coverage_;
-    bool is_searched_ = false; ///< whether a search found coverage(); if not, it is 1
+    bool is_searched_ = false; ///< whether coverage() was searched; if not, it is 1 everywhere
     double coverage_bound_ = 0, color_bound_ = 0;
 };
 

@@ -26,8 +26,8 @@ struct l3d_light_bounds {
     static l3d_light_bounds none() { return {}; }
     static l3d_light_bounds any() { return {{0, 0, 0}, {1, 1, 1}}; }
 
-    /// Makes bounds of each channel by calls of(part). These return the least and the most light of
-    /// a channel whose colour is `part` of white.
+    /// Makes bounds by calling of(part) for each channel. The call returns the least and the most
+    /// light of a channel whose colour is `part` of white.
     template <class Of> static l3d_light_bounds by_parts(const l3d_color_parts& parts, Of of) {
         l3d_light_bounds result;
         for (std::size_t i = 0; i < parts.size(); ++i) {

@@ -161,8 +161,8 @@ bool l3d_edge_polyline::take_parts(const l3d_image_curve& edge, const l3d_dice_v
     return false;
 }
 
-/// Makes an edge of its parts; each part is made like an edge by itself. Returns false if any part
-/// needs too many steps.
+/// Makes the polyline of an edge from the edge's parts. Each part is made like an edge by itself.
+/// Returns false if any part needs too many steps.
 bool l3d_edge_polyline::join(std::span<const l3d_image_curve> parts, const l3d_dice_view& view) {
     constexpr std::size_t at_once = l3d_detail::edges_at_once;
     std::array<l3d_detail::edge_strips, most_parts> strips;

@@ -39,16 +39,17 @@ public:
                       const std::array<double, 4>& shares = {1, 1, 1, 1});
 
     /// Builds the polyline of one edge. Its points are those that building four at once would give.
-    /// Four at once take less than four times as long.
+    /// Building four at once takes less than four times as long.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
-    /// Makes the polyline of an edge of the polylines of its halves, which are sides of smaller
-    /// patches beyond the edge.
+    /// Makes this polyline from the polylines of its edge's two halves. The halves are sides of
+    /// smaller patches beyond the edge.
     /// Expects: `first` ends where `second` begins; both were built for this view.
     void join(const l3d_edge_polyline& first, const l3d_edge_polyline& second,
               const l3d_dice_view& view);
 
-    /// Reserves memory, so that this polyline allocates for no edge for which `other` would not.
+    /// Reserves as much memory as `other` has. Then this polyline allocates for no edge for which
+    /// `other` has enough memory.
     void reserve_as(const l3d_edge_polyline& other);
 
     std::size_t size() const { return size_; }

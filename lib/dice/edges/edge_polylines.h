@@ -48,8 +48,8 @@ public:
         return used_++;
     }
 
-    /// Reserves memory for as many edges as `other` has, each as large as the edge there. Building
-    /// such edges then allocates nothing.
+    /// Reserves memory for as many edges as `other` has, each as large as the edge with the same
+    /// index in `other`. Then building edges of these sizes allocates nothing.
     void reserve_as(const l3d_edge_polylines& other) {
         if (edges_.size() < other.edges_.size())
             edges_.resize(other.edges_.size());

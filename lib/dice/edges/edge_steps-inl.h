@@ -43,8 +43,8 @@ template <class V> V least_of(V a, V b, V c, V d) {
     return hn::Min(hn::Min(a, b), hn::Min(c, d));
 }
 
-/// Computes the bound of l3d_space_bound_of for the strips from lane l on. It is not yet divided by
-/// w, and lacks the factor 6.
+/// Computes the bound of l3d_space_bound_of for the strips from lane l on. The result is not yet
+/// divided by w, and lacks the factor 6.
 HWY_ATTR number space_bend(const strip_nets& nets, std::size_t l, double focal) {
     const eight_doubles d;
     const number zero = same(0), one = same(1), scale = same(focal);

@@ -46,8 +46,8 @@ struct edge_strips {
 };
 
 /// Makes the points of ordinary edges. The control points of an ordinary edge can all be drawn, and
-/// it needs at most 32 steps a strip. Other edges get no strips. Points depend on their edge alone.
-/// A reversed edge has the same points in reverse order.
+/// it needs at most 32 steps a strip. An edge that is not ordinary gets no strips. Points depend on
+/// their edge alone. A reversed edge has the same points in reverse order.
 /// Shape:  the points of edges[k] have the share shares[k] of the view's errors.
 /// Cost:   150 ns an edge of 24 points with AVX-512.
 /// Errors: points are evaluated in power form, see l3d_power_form_error.

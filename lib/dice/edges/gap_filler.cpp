@@ -29,13 +29,14 @@ std::int32_t centre_of(std::int32_t pixel) {
     return (pixel << l3d_subpixel_bits) + l3d_subpixel_one / 2;
 }
 
-/// Twice the signed area of p, q and (x, y).
+/// Twice the signed area of the triangle with the corners p, q and (x, y).
 std::int64_t turn(const slit_place& p, const slit_place& q, std::int32_t x, std::int32_t y) {
     return std::int64_t{q.x - p.x} * (y - p.y) - std::int64_t{q.y - p.y} * (x - p.x);
 }
 
 /// Whether triangles without a pixel's centre may be left out. They may not be left out where trims
-/// cut triangles. A part that trims leave has snapped corners, and may hold a centre.
+/// cut triangles. The part of a triangle that trims leave has newly snapped corners. So the part
+/// may hold a centre although the triangle holds none.
 bool counts_centres(const l3d_dice_view& view) {
     return !view.keep.centreless && view.trim == nullptr;
 }

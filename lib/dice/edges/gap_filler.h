@@ -20,9 +20,9 @@ struct l3d_boundary_point {
 /// Row and edge are polylines with vertices on the same curve of the surface. A triangle joins two
 /// neighbouring vertices of one polyline with a vertex of the other, so it spans at most one step.
 /// The triangle errs no more than the chord of that step, so filling adds nothing to the error
-/// bound. The row may begin or end between two points of the edge. There, the neighbouring piece,
-/// which shares the row's end vertex, continues the fan around the edge point before. If
-/// `is_border`, the edge joins the part's border, for anti-aliasing.
+/// bound. The row may begin or end between two points of the edge. Such an end vertex also belongs
+/// to the neighbouring piece. That piece continues the fan of triangles around the edge's last
+/// point before the vertex. If `is_border`, the edge joins the part's border, for anti-aliasing.
 /// Shape:   row in order of rising t, at least two points.
 /// Expects: every t of `row` within [0, 1]; if is_border, a part without a grid.
 void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyline& edge,
@@ -31,15 +31,16 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 /// Fills the slit along a whole side of a piece's grid, without clipping. The side lies along the
 /// edge from t0 to t1.
 ///
-/// First the grid's row takes over vertices of the edge that stand for the same points. Such
+/// First the grid's row takes over vertices of the edge that stand for the same points. These
 /// vertices are the ends of strips, and all vertices of strips with as many steps as the edge has.
-/// At such strips the slit is empty. The row keeps its normals, and triangles use them. If the grid
-/// shows both sides, a triangle shows the same side as the quad beside it. Triangles that hold no
-/// pixel's centre are left out, unless the view keeps them (`keep.centreless`) or has trims.
+/// At strips with as many steps, the slit is empty. The row keeps its normals, and triangles use
+/// them. If the grid shows both sides, a triangle shows the same side as the quad beside it.
+/// Triangles that hold no pixel's centre are left out, unless the view keeps them
+/// (`keep.centreless`) or has trims.
 /// Shape:   side as in l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written.
-/// Expects: the edge has strips. If an end of the row lies between the edge's own ends, it is at
-///          the exact place that both neighbours compute. The edge's points near such an end may be
-///          balanced.
+/// Expects: the edge has strips. If an end of the row lies between the edge's own ends, the row's
+///          end is at the exact place that both neighbours compute. The edge's points near such an
+///          end may be balanced.
 /// Cost:    some 150 instructions for a triangle that is left out, and 500 for one that is drawn.
 ///          No allocation once there is memory for the most triangles.
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,

@@ -129,9 +129,9 @@ private:
     }
 
     /// Bounds how far a part is from its chord. The result is infinite if the chord is too long or
-    /// the part is not in front of the eye. The places of the part's points, and their 1 / w, are
-    /// means of those of its control points, with weights in proportion to w. Chords are linear in
-    /// both.
+    /// the part is not in front of the eye. Each point of the part has a place and a 1 / w. Both
+    /// are means over the part's control points, with weights in proportion to w. Chords are linear
+    /// in both.
     l3d_drawn_distance off_chord(const image_curve& of, bool is_seen) const {
         constexpr double infinite = std::numeric_limits<double>::infinity();
         const control_point &a = of.points[0], &b = of.points[of.count - 1];

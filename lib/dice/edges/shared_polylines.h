@@ -15,7 +15,7 @@
 
 /// A corner of a strip, in the picture and in space, for measuring how far the strip is from its
 /// edge. The place in the picture has z = 0. The place in space is in pixels times w. The corner
-/// may lie where clipping cuts it off.
+/// may lie in a part of the strip that clipping cuts off.
 struct l3d_strip_corner {
     l3d_vector<double, 3> picture, space;
 
@@ -67,8 +67,8 @@ l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
 /// polyline beside it. Strips close the gaps between faces that end at an edge.
 ///
 /// The part of the border runs from `from` to `to`. The strip has the polyline's points from the
-/// last point at or before from.t up to to.t. So strips of parts of a border that share an end
-/// share a side there, whichever piece makes them. Triangles have the light of the border at the
+/// last point at or before from.t up to to.t. So the strips of two neighbouring parts of a border
+/// share a side, whichever pieces make the strips. Triangles have the light of the border at the
 /// same parameter. With anti-aliasing, the polyline's chords join the border of piece.part.
 void l3d_add_strip(const l3d_shared_polyline& line, const l3d_border_point& from,
                    const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece);

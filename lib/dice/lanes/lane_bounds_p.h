@@ -11,8 +11,8 @@
 namespace l3d_detail {
 
 /// A net moved so that a point (X, Y) of the picture becomes its origin: x' = x - X w, y' = y - Y
-/// w. So x' / w is as small as the patch, wherever the patch lies in the picture. Rounding is as
-/// small, too.
+/// w. So x' / w is no larger than the patch, wherever the patch lies in the picture. Rounding is in
+/// proportion to the patch's size, too.
 ///
 /// Shape: [component][4 * row + column].
 struct centred_net {

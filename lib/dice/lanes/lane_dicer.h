@@ -29,8 +29,8 @@ public:
     /// Expects: tolerance > 0, near > 0.
     /// Errors:  returns false, with nothing written, if the patch is not ordinary. An ordinary
     ///          patch reaches neither the near nor the far plane, and stays within the guard band.
-    ///          Neither the patch nor an edge needs more than 32 steps in a strip. Walking it in T
-    ///          is exact enough.
+    ///          Neither the ordinary patch nor an edge of it needs more than 32 steps in a strip,
+    ///          and walking the patch in T is exact enough.
     bool dice(const l3d_image_patch& net, const l3d_normal_net& normals, const l3d_dice_view& view,
               std::span<const l3d_edge_polyline, 4> edges, l3d_diced_piece& out,
               l3d_dice_counts& counts, const l3d_bend_bounds& bends = {});
@@ -48,7 +48,7 @@ public:
                                         const l3d_bend_bounds& bends,
                                         const l3d_diced_piece& out) const;
 
-    /// The error of depth of the slits' vertices, along the sides of the piece of the last plan.
+    /// The error of depth of vertices in the slits of the piece that was planned last.
     /// Units: pixels at the vertices' depth.
     double row_depth_error() const { return row_depth_error_; }
 
@@ -57,8 +57,8 @@ public:
     void fill(const l3d_patch_part& piece, const l3d_normal_net& normals, const l3d_dice_view& view,
               l3d_diced_piece& out);
 
-    /// Bounds what rounding of vertices adds to the chord error of slits along the sides of the
-    /// last plan's piece. Units: pixels.
+    /// Bounds how much the rounding of vertices adds to the chord error in slits of the piece that
+    /// was planned last. Units: pixels.
     double row_error() const { return row_error_; }
 
 private:

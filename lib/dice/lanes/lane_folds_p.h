@@ -12,8 +12,9 @@ namespace l3d_detail {
 ///
 /// A folded quad is drawn as four triangles around its centre. The triangles differ from the
 /// bilinear surface between the corners by at most a sixteenth of the corners' mixed difference.
-/// This difference is seen from the quad's own places. Plans of kind `convex` leave this term out,
-/// since few quads fold. NUMERICS, section 3.
+/// The mixed difference is taken relative to the quad's own place in the picture, so that it does
+/// not depend on where the quad lies. Plans of kind `convex` leave this term out, since few quads
+/// fold. NUMERICS, section 3.
 /// Units: pixels.
 /// Shape: `errors` has the errors of blocks without folded quads, as l3d_step_plan::errors.
 /// Cost:  some eight instructions a quad with eight lanes.

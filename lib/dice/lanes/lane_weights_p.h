@@ -11,10 +11,10 @@ namespace l3d_detail {
 /// The weight of a cubic's control point `from` in control point `to` of its part on [strip / 4,
 /// (strip + 1) / 4].
 ///
-/// A control point of the part is a value of the cubic's blossom. `to` of the blossom's three
-/// arguments are the part's upper end, the others its lower end. De Casteljau's scheme computes the
-/// value, with one argument as the parameter of each step. The weight is a multiple of 1/64, so it
-/// is exact in a float.
+/// A control point of the part is a value of the cubic's blossom. The blossom has three arguments:
+/// the first `to` are the part's upper end, the remaining ones are the part's lower end. De
+/// Casteljau's scheme computes the value, with one argument as the parameter of each step. The
+/// weight is a multiple of 1/64, so it is exact in a float.
 /// Source: Ramshaw, Blossoms are polar forms, CAGD 6, 1989.
 constexpr float quarter_weight(int strip, int to, int from) {
     std::array<double, 4> p{};

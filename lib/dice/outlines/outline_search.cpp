@@ -177,7 +177,7 @@ void l3d_outline_search::search(const piece& p) {
 
 /// Marks the sides of a small piece. Also marks the lines at which the piece folds or is cut, if
 /// they are nearly straight. Returns whether all outlines of the piece are marked. The members of
-/// `p` tell which are not.
+/// `p` tell which outlines are not marked yet.
 bool l3d_outline_search::mark_small(piece& p, const level_set<order>& facing) {
     const l3d_image_curve sides[] = {p.net.row(0), p.net.column(3), p.net.row(3), p.net.column(0)};
     for (std::size_t k = 0; k < std::size(sides); ++k)

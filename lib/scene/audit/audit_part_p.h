@@ -23,8 +23,8 @@ public:
     const std::array<vector, 3>& corners() const { return corners_; }
     /// The square of the distance from a place to the triangle.
     double square_distance(const vector& from) const;
-    /// How far a place lies outside of the side from corner k to the next, in the direction across
-    /// the side in the triangle's plane. It is negative on the side of the triangle.
+    /// How far a place lies beyond the side from corner k to the next corner, measured across the
+    /// side in the triangle's plane. The result is negative where the triangle lies.
     double beyond(std::size_t k, const vector& place) const;
     /// Whether all of another triangle is outside of one side of this triangle, or above or below
     /// its plane, by more than `by`.
@@ -40,7 +40,7 @@ private:
 using patch_place = std::array<double, 2>;
 
 /// A bicubic patch that bounds its second derivatives over rectangles of parameters, and finds the
-/// place near to a given one.
+/// place on the patch that is near to a given place.
 struct bent_patch {
     using patch = l3d_bezier_patch<double, 3>;
 
@@ -77,7 +77,8 @@ struct patch_sheet {
 /// parameters.
 ///
 /// A place of the part and the place of the triangle `flat` with the same barycentric weights are
-/// within `off` of each other. So part and triangle are, too. For a triangle of a mesh, `off` is 0.
+/// within `off` of each other. So each place of the part or of the triangle is within `off` of the
+/// other shape. For a triangle of a mesh, `off` is 0.
 struct audit_part {
     using vector = l3d_vector<double, 3>;
     using place = patch_place;
@@ -90,8 +91,8 @@ struct audit_part {
 
     /// The place of the part's middle, on the surface itself.
     vector middle() const;
-    /// Cuts the part in two. The cut runs to the side from corner k to the next, from the corner
-    /// opposite. It meets the side at the share `share` of its length.
+    /// Cuts the part in two. The cut ends on the side from corner k to the next corner, at the
+    /// share `share` of the side's length. It begins at the opposite corner.
     std::array<audit_part, 2> cut(std::size_t k, double share) const;
     /// The side that contributes most to `off`. Expects: a part of a patch.
     std::size_t bent_side() const;

@@ -200,7 +200,7 @@ private:
         return result;
     }
 
-    /// Does the work of is_settled after it has found the nearest of these parts.
+    /// Does the work of is_settled when the nearest of the parts near_[first] and after is known.
     bool is_settled_by(const audit_part& nearest, const audit_part& part, std::size_t first,
                        int cuts, double& most) {
         cut_choice at(part);
@@ -231,7 +231,7 @@ private:
         return l3d_length(sheet.patch->of.evaluate(p[0], p[1]) - from);
     }
 
-    /// The place of a sheet that is nearest to `to`, among a grid of 4 by 4 places inside of the
+    /// The place of a sheet that is nearest to `to`, among 4 by 4 places of a grid inside of the
     /// sheet.
     static patch_place best_of_grid(const patch_sheet& sheet, const vector& to) {
         constexpr int count = 4;

@@ -12,13 +12,13 @@
 #include <memory>
 #include <span>
 
-/// The largest distance in one direction: from the places of a mesh to a surface, or from those of
-/// a surface to a mesh. It has proven bounds, and an example of a place that is far away.
+/// The largest distance from the places of a mesh to a surface, or from the places of a surface to
+/// a mesh. It has proven bounds, and an example of a place that is about as far away.
 struct L3D_PUBLIC l3d_audited_way {
     double least = 0; ///< the distance at `place` is at least this
     double most = 0;  ///< the distance is nowhere larger than this
-    /// The place from which the distance is measured: on the mesh, or on the surface up to the
-    /// error of its patches.
+    /// The example: a place whose distance is at least `least`. It is on the mesh, or on the
+    /// surface up to the error of its patches.
     l3d_vector<double, 3> place{0.0, 0.0, 0.0};
     /// The triangle of the mesh that holds the place, or the piece of the surface by its number in
     /// l3d_patch_model::pieces.
@@ -28,9 +28,11 @@ struct L3D_PUBLIC l3d_audited_way {
 /// The distances between a mesh and a surface, each from all places of one to the nearest place of
 /// the other. The larger one is Hausdorff's distance.
 struct L3D_PUBLIC l3d_mesh_audit {
-    /// From the triangles to the surface. The distance is large if the mesh has too much.
+    /// The largest distance from a place of the mesh to the surface. It is large if the mesh has
+    /// too much.
     l3d_audited_way from_mesh;
-    /// From the surface to the triangles. The distance is large if the mesh lacks a part.
+    /// The largest distance from a place of the surface to the mesh. It is large if the mesh lacks
+    /// a part.
     l3d_audited_way from_surface;
 };
 
@@ -56,7 +58,7 @@ public:
     /// Cost:    the patches of the model at a level whose error is a quarter of the tolerance, and
     ///          some 300 bytes for each triangle of their trims.
     l3d_surface_audit(const l3d_patch_model& model, double tolerance);
-    /// Takes the other's contents.
+    /// Takes the contents of `other`.
     l3d_surface_audit(l3d_surface_audit&& other) noexcept;
     ~l3d_surface_audit();
 
@@ -68,8 +70,9 @@ public:
     /// The bounds are always valid. They are farther apart than the tolerance if the model's finest
     /// level is too coarse, or if the search runs out of cuts (least_cuts).
     /// Expects: at least one triangle; finite coordinates of magnitude at most 1e12.
-    /// Cost:    some 10 us for each triangle and each cell of the surface. A cut, where the
-    ///          distance is nearly the largest, takes up to a millisecond.
+    /// Cost:    some 10 us for each triangle and each cell of the surface. Triangles and cells
+    ///          whose distance is nearly the largest are cut, which takes up to a millisecond for
+    ///          each cut.
     /// Source:  branch and bound; NUMERICS derives the bounds.
     l3d_mesh_audit compare(std::span<const triangle> mesh) const;
 

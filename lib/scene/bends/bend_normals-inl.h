@@ -59,18 +59,18 @@ constexpr double relative = 1 + 0x1p-40;
 // Functions that have series of their own are not inlined, so the stack holds only the series in
 // use. A series takes 3 KB with the longest lanes.
 
-/// The unit normals N of parts, one part a lane. It has their Taylor coefficients about the middle
-/// up to series_order, and bounds of derivatives over all of the part.
+/// The unit normals N of parts, one part a lane. The class computes their Taylor coefficients about
+/// the parts' middles up to series_order, and bounds of derivatives over whole parts.
 ///
 /// M is the polynomial of normals, and m is M over its length in the middle. Let p be the series of
 /// (m . m)^(-1/2), cut off. Then p m points like m, and has the coefficients of N up to
 /// series_order. (p m) . (p m) is 1 - w, where the first coefficients of w are 0. So N = p m (1 -
 /// w)^(-1/2).
 ///
-/// The same expression is taken with absolute values of all coefficients. Its coefficients bound
-/// the absolute values of those of N. Signs are lost only beyond the order. A series of absolute
-/// values is largest in the corner (1, 1), where all coefficients add up, and so are its
-/// derivatives. These values are bounds everywhere.
+/// The same expression is taken with absolute values of all coefficients. The coefficients of the
+/// result bound the absolute values of N's coefficients. Signs are lost only beyond the order. A
+/// series of absolute values is largest in the corner (1, 1), where all coefficients add up, and so
+/// are its derivatives. These values are bounds everywhere.
 /// Source: Cauchy's method of majorants.
 class part_normals {
 public:
@@ -165,7 +165,8 @@ struct product_in_corner {
 ///
 /// Let a be the normal in the middle, and p m = f + z a + x. f is exact; z and x are the rest
 /// beyond the order, along a and across it. Divided by 1 + z, which changes no direction, it is f +
-/// (x - z (f - a)) / (1 + z). So for a plane nothing is left beyond the order, and elsewhere less.
+/// (x - z (f - a)) / (1 + z). So for a plane nothing is left beyond the order, and elsewhere less
+/// is left than without this division.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
     const vector a = m.at[0][0];
     number sizes_along[6][6], sizes_across[6][6];

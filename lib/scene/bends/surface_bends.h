@@ -15,7 +15,7 @@
 /// run from 0 to 1 across it.
 ///
 /// S is a point of the surface, and N the unit normal there, by the normal net.
-/// Units: those of the model where S takes part; radians, or pure numbers, where only N does.
+/// Units: the model's units for bounds with S; radians, or pure numbers, for bounds of N without S.
 template <class T> struct l3d_bend_numbers {
     T uu, uv, vv;                 ///< |N . S_uu|, and so on
     T uuu, uuv, uvv, vvv;         ///< |N . S_uuu|, and so on
@@ -70,10 +70,10 @@ public:
     /// The bend numbers of the whole patch, as if it were one block.
     const l3d_bend_numbers<float>& of_whole() const { return of_whole_; }
 
-    /// The bounds of the patch that an affine map moves. Only the map's upper left three by three
-    /// counts. A similarity, mirrored or not, multiplies the numbers with S by its scale, and
-    /// leaves those of N alone. Any other map enlarges the bounds, the more so the farther it is
-    /// from a similarity.
+    /// The bounds for the patch after an affine map has moved it. Only the map's upper left three
+    /// by three counts. A similarity, mirrored or not, multiplies the numbers with S by its scale,
+    /// and does not change the numbers without S. Any other map enlarges the bounds, the more so
+    /// the farther it is from a similarity.
     /// Errors: infinite, except for uuvv, if the map cannot be inverted.
     /// Cost:   some 2000 operations.
     l3d_surface_bends under(const l3d_matrix<double>& placement) const;

@@ -10,16 +10,16 @@
 #include <span>
 
 /// Finds out whether patches are the whole surface of a body, and to which side their normals
-/// point. Returns 1 if the patches are proven to be such a surface, and normals dS/du x dS/dv point
-/// out of the body. Returns -1 if they are, and normals point into the body. Returns 0 if the proof
-/// fails.
+/// point. Returns 1 if the patches are proven to be the whole surface, and normals dS/du x dS/dv
+/// point out of the body. Returns -1 if the patches are proven to be the whole surface, and normals
+/// point into the body. Returns 0 if the proof fails.
 ///
 /// First, every edge must be an edge of exactly one other patch, with the same control points in
-/// the opposite direction. Two patches may each share a half of an edge. Edges that are collapsed
-/// into a point do not count. So the surface has no boundary. Second, every block of the surface
-/// must turn the same side to the middle of the body's box. So a ray from the middle crosses the
-/// surface always in the same direction, hence once. The body is star-shaped, and does not cut
-/// itself.
+/// the opposite direction. Or two smaller patches may lie beyond an edge, each along a half of the
+/// edge. Edges that are collapsed into a point do not count. So the surface has no boundary.
+/// Second, every block of the surface must turn the same side to the middle of the body's box. So a
+/// ray from the middle crosses the surface always in the same direction, hence once. The body is
+/// star-shaped, and does not cut itself.
 /// Shape:   as many cones as patches; `halved` has the sides of patches that meet two smaller
 ///          patches.
 int l3d_orientation_of(std::span<const l3d_bezier_patch<double, 3>> patches,

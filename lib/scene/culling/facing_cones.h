@@ -26,8 +26,8 @@ public:
     l3d_facing_cones(const l3d_bezier_patch<double, 3>& patch, const l3d_normal_net& normals);
 
     /// Finds the blocks whose normals all point away from the point `from`. The result has a bit
-    /// for each block. For every point S and every normal n of such a block, (S - from) . n > 0.
-    /// With `side` = -1, it finds the blocks whose normals all point towards `from`.
+    /// for each block. For every point S and every normal n of a block that is found, (S - from) .
+    /// n > 0. With `side` = -1, it finds the blocks whose normals all point towards `from`.
     /// Expects: side is 1 or -1.
     /// Cost:    some 20 operations, and 25 with a root for each block unless all of the patch turns
     ///          one side to the point.

@@ -16,8 +16,8 @@ namespace {
 
 using l3d_detail::culled_boxes;
 
-/// The numbers of patches in the first batch, and in the largest batches. Until then, each batch is
-/// twice as large as the batch before. The nearest patches hide most, so the first batches are
+/// The numbers of patches in the first batch, and in the largest batches. Batches double in size
+/// until they have largest_batch patches. The nearest patches hide most, so the first batches are
 /// small. Each batch costs some 0.1 ms by itself. This is little beside 1024 patches, which take at
 /// least 1 ms to dice.
 constexpr std::size_t first_batch = 64, largest_batch = 1024;
@@ -121,10 +121,12 @@ l3d_scene_culling::extent l3d_scene_culling::extent_of(const culled_boxes& boxes
 }
 
 /// Calls see(box, extent) for each box that may be seen, and leave_out(box, count of the reason)
-/// for the other boxes. If only a part of the picture is drawn, all other boxes count as unchanged.
+/// for the other boxes. If only a part of the picture is drawn, all boxes that are left out count
+/// as unchanged.
 ///
-/// A `followed` box has patches whose trims follow edges. Their strips reach beyond them, beside
-/// neighbours. So the box' place in the picture is the only reason to leave it out.
+/// A `followed` box has patches whose trims follow edges. The strips along these edges reach beyond
+/// the patches, into places beside neighbours. So the box' place in the picture is the only reason
+/// to leave the box out.
 template <class Followed, class See, class LeaveOut>
 void l3d_scene_culling::look_at(const l3d_box_lanes& boxes, const l3d_matrix<double>& to_image,
                                 const l3d_detail::placing_terms& terms, Followed followed, See see,
@@ -220,7 +222,7 @@ void l3d_scene_culling::sort_nearest(std::size_t count) {
 }
 
 /// Moves the `count` nearest patches from the waiting line to the batch, except for hidden patches.
-/// Expects: the line has so many patches.
+/// Expects: the line has at least `count` patches.
 void l3d_scene_culling::take_from_line(std::size_t count, hidden_call hidden, const void* context) {
     sort_nearest(count);
     for (std::size_t i = 0; i < count; ++i) {

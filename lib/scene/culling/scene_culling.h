@@ -35,9 +35,9 @@ struct l3d_placed_patch {
 /// Hands out the visible patches of a scene in batches, nearest first.
 ///
 /// Whole instances are looked at first, by their boxes. So the patches of an instance that is not
-/// seen cost nothing. The other instances are opened in turn, nearest first, and the boxes of their
-/// patches are looked at. A box proves less than a control net. So some patches are handed out
-/// although their nets would prove that they are unseen.
+/// seen cost nothing. Instances that may be seen are opened in turn, nearest first: then the boxes
+/// of their patches are looked at. A box proves less than a control net. So some patches are handed
+/// out although their nets would prove that they are unseen.
 /// Lives: kept from frame to frame for its memory; borrows the scene for a frame.
 /// Cost:  measured by tests/bench/scaling_bench.cpp; no allocation once the largest frame has been
 ///        seen.

@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// Terms of the sum of magnitudes in proportion to which places are rounded
-/// (l3d_patch_instance::reach). The sum for a box is its l3d_slanted_box::reach, plus `columns`
+/// Terms of a sum of magnitudes. Rounding errors of places are in proportion to this sum
+/// (l3d_patch_instance::reach). For a box, the sum is its l3d_slanted_box::reach, plus `columns`
 /// times the largest coordinates in the box, plus `shift`.
 struct placing_terms {
     l3d_vector<double, 3> columns{0.0, 0.0, 0.0};
@@ -28,7 +28,7 @@ struct culled_boxes {
     row least, most; ///< bounds of w
     row inside;      ///< below 0 if the box is wholly beyond one side of the margin
     row share;       ///< share of the view's errors: l3d_dice_view::share_of
-    row near;        ///< the near plane for that share
+    row near;        ///< the w of the near plane for this share of the errors
 
     /// The boxes' extents in the picture, in pixels from its centre. They are valid where `least`
     /// is greater than `near`. If no box with valid extents is inside the margin, they are not

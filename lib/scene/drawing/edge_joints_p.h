@@ -48,12 +48,13 @@ public:
     /// Shape: `contours` holds the contours of each piece, which are changed.
     void end_on_edges(std::span<std::vector<surface_line>> contours, double near);
 
-    /// Returns the lines; those of joints only if `with_joints`. Expects: end_on_edges() was
-    /// called.
+    /// Returns the lines. Lines of joints are left out unless `with_joints` is true. Expects:
+    /// end_on_edges() was called.
     std::vector<drawn_chain> chains(bool with_joints) const;
 
 private:
-    /// A side of the polygon of a piece's trim, along an edge.
+    /// A side of the polygon that stands for a piece's trim. The side runs along an edge of the
+    /// model.
     struct trim_side {
         double from, to; ///< where the side begins and ends, as parameters of the edge
         l3d_trim_place a, b;

@@ -57,7 +57,7 @@ template <class Visit> void for_lines(const bernstein_net& net, bool along_u, co
                   stride, degree);
 }
 
-/// A net of one of the values of a net: coordinate k.
+/// The net of coordinate k alone, from a net with several coordinates.
 bernstein_net coordinate(const bernstein_net& of, int k) {
     bernstein_net result(of.m, of.n, 1);
     for (std::size_t i = 0; i < result.c.size(); ++i)
@@ -81,7 +81,8 @@ void add_product(const bernstein_net& a, const bernstein_net& b, double sign, be
 }
 
 /// Divides a polynomial by v, 1 - v, u or 1 - u as long as it vanishes where the factor vanishes.
-/// It does at a boundary that is a point. Source: v B^(n-1)_j = (j + 1) / n B^n_(j+1).
+/// The polynomial vanishes at boundaries of the piece that are points. Source: v B^(n-1)_j = (j +
+/// 1) / n B^n_(j+1).
 void divide_by_vanishing(bernstein_net& f) {
     constexpr double rounding = 0x1p-40; // the shear leaves far more at a contour along a boundary
     constexpr int most_times = 4;

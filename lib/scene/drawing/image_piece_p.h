@@ -136,9 +136,9 @@ struct image_piece {
     image_piece(const l3d_patch_points& piece, const l3d_matrix<double>& placement,
                 const drawing_view& view);
 
-    /// Trims the piece: makes its region of polygons that approximate these loops, within `wanted`
-    /// if possible. Returns the largest distance between polygons and loops, which is no bound
-    /// where the piece reaches the near plane.
+    /// Trims the piece. The region becomes polygons that approximate these loops, to within
+    /// `wanted` if possible. Returns the largest distance between polygons and loops, which is no
+    /// bound where the piece reaches the near plane.
     /// Units: pixels.
     double trim(std::span<const l3d_trim_loop> loops, double wanted, const drawing_view& view);
 
@@ -174,7 +174,7 @@ struct flat_image {
 
 /// Whether to halve a net along u rather than along v, so that halves are nearer to parallelograms.
 /// The better direction is the one in which the net bends more. If twist is larger than both bends,
-/// it is the longer one.
+/// the better direction is the one in which the net is longer.
 /// Expects: all in front of the near plane.
 bool bends_along_u(const bernstein_net& net);
 

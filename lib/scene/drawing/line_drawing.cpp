@@ -181,8 +181,9 @@ void append(surface_line& to, const surface_line& line, bool is_back) {
         to.insert(to.end(), line.begin(), line.end());
 }
 
-/// Joins contours inside of pieces where they continue in the next pieces. Contours along sides
-/// stay apart, since another test tells whether these are seen.
+/// Joins contours that continue each other. Contours that run inside pieces are joined across
+/// pieces. They are never joined with contours along sides of pieces, whose visibility is tested
+/// differently.
 void drawer::join_contours(std::vector<drawn_chain> contours) {
     std::vector<std::array<line_end, 2>> ends;
     for (const drawn_chain& chain : contours)
@@ -228,9 +229,9 @@ image_place drawer::on_curve(const drawn_chain& chain, const surface_vertex& a,
     return chain.edge ? edges_[*chain.edge].at(u) : pieces_[a.piece].at(u, v);
 }
 
-/// The share of the way in parameters between two vertices at which the curve is beside a place of
-/// the chord. That place is at the share `of_chord` of the chord in the picture. Perspective and
-/// weights make these two shares differ.
+/// Finds where the curve between vertices a and b is beside a place of its chord. The place is at
+/// the share `of_chord` of the chord in the picture. The result is the share of the way from a to b
+/// in parameters. Perspective and weights make these two shares differ.
 double drawer::share_of_curve(const drawn_chain& chain, const surface_vertex& a,
                               const surface_vertex& b, double of_chord) const {
     const double dx = b.at.x - a.at.x, dy = b.at.y - a.at.y, square = dx * dx + dy * dy;

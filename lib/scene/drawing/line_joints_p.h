@@ -16,7 +16,7 @@ namespace l3d_detail {
 struct line_end {
     image_place at;
     double out_x = 0, out_y = 0; ///< the direction in which the line would go on, of any length
-    std::size_t group = 0;       ///< lines of other groups do not continue it
+    std::size_t group = 0;       ///< only lines of the same group may continue this line
 };
 
 /// A line in a row of lines that continue each other. `is_back` tells whether the row runs through

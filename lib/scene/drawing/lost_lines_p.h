@@ -19,8 +19,8 @@ inline void note_lost_lines(const l3d_model_file& file, const std::string& name,
         notes.push_back(printable(name) + ": lines and curves are not drawn: they are " + reason);
 }
 
-/// Adds such a note for a file that is drawn as polygons. A file without surfaces gets no note
-/// here, since l3d_load_model has added one.
+/// Adds the note of note_lost_lines for a file that is drawn as polygons. A file without surfaces
+/// gets no note here, since l3d_load_model has added one.
 inline void note_lines_lost_to_polygons(const l3d_model_file& file, const std::string& name,
                                         std::vector<std::string>& notes) {
     if (!file.patches.empty())

@@ -18,8 +18,8 @@ namespace l3d_detail {
 /// 1/256 pixel of the place. Halves are kept for further calls.
 class line_of_sight {
 public:
-    /// How much nearer than a place a surface must be to hide it. The surface on which the place's
-    /// line lies is not nearer than that.
+    /// How much nearer than a place a surface must be to hide the place. The surface that holds the
+    /// place's own line is never so much nearer.
     /// Units: pixels of depth.
     static constexpr double least_gap = 0.25;
     /// How much nearer a piece must be to hide a place if the line follows the piece's side.

@@ -69,8 +69,9 @@ l3d_trim_place lengths_of(std::span<const cell> cells) {
 }
 
 /// Finds the error of places that is allowed in a part of a piece, and up to the distance `beside`
-/// around the part in space. It is infinite if the region shows nothing of these places. `cells`
-/// are the piece's cells that may be seen; `lengths` are their lengths_of.
+/// around the part in space. The error is infinite if the wish's region shows nothing of these
+/// places. `cells` are the piece's cells that may be seen; `lengths` is the result of lengths_of
+/// for these cells.
 double allowed_in(const l3d_trim_box& part, std::span<const cell> cells,
                   const l3d_trim_place& lengths, const l3d_cell_wish& wanted, double beside) {
     double result = std::numeric_limits<double>::infinity();
@@ -268,8 +269,8 @@ l3d_curved_pieces::l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
     unite_common_boundaries();
 }
 
-/// The largest distance of the edges that a region follows from their faces. It is negative if the
-/// region follows no edge.
+/// The largest distance between an edge and its faces, among the edges that a region follows. It is
+/// negative if the region follows no edge.
 double l3d_curved_pieces::off_edges(const l3d_trim_region& region) const {
     double result = -1;
     for (const l3d_trim_polygon& polygon : region.polygons)

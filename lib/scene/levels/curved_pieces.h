@@ -23,8 +23,8 @@
 #include <unordered_map>
 #include <vector>
 
-/// The errors that a picture allows for the cells of curved pieces: a wish for cells that are fine
-/// enough.
+/// The errors that a picture allows for the cells of curved pieces. Cells are wanted that are fine
+/// enough to keep these errors.
 struct l3d_cell_wish {
     double places = 0; ///< error of places that is always allowed, in the pieces' unit
     int normals = 0;   ///< the level of normals (l3d_patch_model::at_level)
@@ -151,8 +151,8 @@ public:
         /// For each patch, a bound of errors of places, trims included, in the pieces' unit.
         std::vector<double> errors;
         double share = 0; ///< the largest ratio of a patch's error to its allowed error
-        /// For each patch, the error of the edges that its trims follow; negative if they follow
-        /// none.
+        /// For each patch, how far the edges that its trims follow are off their faces; negative if
+        /// the trims follow no edges.
         std::vector<double> edges_off;
         double normal_error = 0; ///< bound of errors of unit normals; may be infinite
     };

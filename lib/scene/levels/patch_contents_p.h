@@ -38,11 +38,11 @@ private:
 };
 
 struct l3d_patch_model::contents {
-    /// Computes the data of patches. The data of a patch that `like`, if not null, has at the same
-    /// index are copied.
+    /// Computes the data of patches. If `like` is not null, the data of patches that `like` has at
+    /// the same index are copied.
     contents(std::vector<patch> of, const contents* like);
-    /// Computes the data of a curved model's cells. The data of cells that are equal to cells of
-    /// `like`, if not null, are copied.
+    /// Computes the data of a curved model's cells. If `like` is not null, the data of cells that
+    /// are equal to cells of `like` are copied.
     contents(l3d_curved_pieces::cells of, const contents* like);
 
     std::vector<patch> patches;
