@@ -16,9 +16,9 @@ namespace {
 
 constexpr double per_cosine = double{l3d_level_of_cosine};
 
-/// Bounds the error of shade levels that does not come from interpolation: rounding to a whole
-/// level, and float arithmetic. Numbers in this arithmetic are up to 2^8, and some 20 roundings of
-/// 2^-24 count as often as terms cancel.
+/// Bounds the error of shade levels that does not come from interpolation. It comes from rounding
+/// to a whole level, and from float arithmetic. Numbers in this arithmetic are up to 2^8, and some
+/// 20 roundings of 2^-24 count as often as terms cancel.
 constexpr double rounded_level = 0.5 + 0.01;
 
 /// Bounds |S_uuuv| and |S_uvvv| by the parameters of a piece's blocks: 18 times the fourth
@@ -91,9 +91,9 @@ double normals_off(const l3d_bend_numbers<double>& b, double h_u, double h_v, bo
     return apart <= 1 ? off + apart * apart : std::numeric_limits<double>::infinity();
 }
 
-/// Bounds the error of shade levels in the slit along a side whose steps are h. `bent` and
-/// `straight` are how far the slit's triangles reach along the side: with levels that are
-/// parabolas, and with linear levels (l3d_gap_spans).
+/// Bounds the error of shade levels in the slit along a side whose steps are h. `bent` is how far
+/// the slit's triangles with parabolas of levels reach along the side, `straight` how far those
+/// with linear levels do (l3d_gap_spans).
 /// Units: parameters of the block.
 ///
 /// A triangle of the slit takes levels of the grid's row at its corners and at the middles of its

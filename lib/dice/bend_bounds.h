@@ -23,7 +23,7 @@
 /// Lives:  borrows the bends.
 class l3d_bend_bounds {
 public:
-    /// Makes an object without bends: it asks for no finer steps and proves nothing.
+    /// Makes an object without bends, which asks for no finer steps and proves nothing.
     l3d_bend_bounds() = default;
 
     /// Takes the bends of a patch that is placed in a view.
@@ -78,8 +78,9 @@ inline constexpr double l3d_snapped_planes = 0.001;
 /// grid are looked at.
 ///
 /// The vertices' error already allows for rounding the centre of a folded quad. A flat quad has no
-/// such centre, so its error is reduced by this allowance. A folded quad has a centre, but is drawn
-/// as a fan, which errs by a quarter as much. The larger of both errors holds for every quad.
+/// centre to be rounded, so its error is reduced by this allowance. A folded quad has a centre, but
+/// is drawn as a fan, which errs by a quarter as much. The larger of both errors holds for every
+/// quad.
 /// Shape:   `blocks` as l3d_surface_certificate::without_normals.
 /// Units:   pixels at the depth of the quad.
 /// Expects: view.focal > 0.

@@ -22,9 +22,9 @@ namespace {
 constexpr double of_moved_thirds = 0.0322;
 
 /// A cubic's difference over a step h is h times the derivative at a place s of the step, plus two
-/// further terms. These two factors bound the terms. The first factor multiplies h^2 and the second
-/// derivative, the other multiplies h^3 and the third derivative. They are the largest values of (1
-/// - 2 s) / 2 and ((1 - s)^3 + s^3) / 6. Moved ends of the step add l3d_balance.
+/// further terms. These two factors bound the terms. The first factor is that of h^2 times the
+/// second derivative, the second that of h^3 times the third derivative. They are the largest
+/// values of (1 - 2 s) / 2 and ((1 - s)^3 + s^3) / 6. Moved ends of the step add l3d_balance.
 constexpr double of_difference_second = 1.0 / 2 + l3d_balance;
 constexpr double of_difference_third = 1.0 / 6 + l3d_balance;
 

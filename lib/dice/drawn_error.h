@@ -74,8 +74,9 @@ struct l3d_vertex_accuracy {
     }
 };
 
-/// Bounds the error of a vertex along the line of sight: the error of w, and the rounding of depth
-/// to a float. The bound does not include the error of the vertex' place in the picture.
+/// Bounds the error of a vertex along the line of sight. The error comes from the error of w, and
+/// from rounding depth to a float. The bound does not include the error of the vertex' place in the
+/// picture.
 /// Units: pixels at the vertex' depth.
 inline double l3d_depth_vertex_error(const l3d_dice_view& view, double error_w, double w_low) {
     return view.focal * (error_w / w_low) + view.depth_rounding();

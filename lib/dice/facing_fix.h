@@ -29,14 +29,15 @@ inline bool l3d_has_eye(const l3d_shading& shading) {
 /// sides, the normals stay, and the grid's shows_both is set.
 ///
 /// An outline passes through a quad where the surface bends away from the eye. Such a quad shows
-/// only one of its sides, whichever sides the surface shows at its corners. The whole quad is lit
-/// as the side that it shows. The other side of the surface begins at the same drawn line and lies
-/// behind the quad.
+/// only one of its sides, whichever sides the surface shows at the quad's corners. The whole quad
+/// is lit as the side that it shows. The other side of the surface begins at the same drawn line
+/// and lies behind the quad.
 ///
 /// Where a side of a patch is nearly a point, the derivative along that side may turn round.
-/// Normals at the side may then point to the other side of the surface. A vertex on the grid's
-/// border has such a normal if the normal of the next vertex inwards is more than a right angle
-/// off. This function makes the border vertex show the side that its inner neighbour shows.
+/// Normals at the side may then point to the other side of the surface. The normal of a border
+/// vertex points to the other side if it is more than a right angle off the normal of the next
+/// vertex inwards. This function makes the border vertex show the side that its inner neighbour
+/// shows.
 /// Shape: `away` has l3d_away_from_eye of each vertex, laid out as the grid's arrays. Numbers of
 ///        border vertices that are corrected change their sign.
 void l3d_turn_normals(std::span<float> away, l3d_micro_grid& grid);

@@ -44,9 +44,9 @@ enum class l3d_dice_way {
 /// leave the rest to the other patches. These other patches are diced again, as long as this at
 /// least doubles their shares. So no frame costs twice its budget.
 ///
-/// For a shade that inspects surfaces, vertices have their parameters in place of normals. Then the
-/// material of a part is the index of the part's patch among all patches of the frame. In a frame
-/// with pictures on surfaces, the parameters of vertices are kept, too.
+/// For a shade that inspects surfaces, vertices have their parameters in place of normals. In this
+/// case, the material of a part is a patch's index among all patches of the frame. In a frame with
+/// pictures on surfaces, the parameters of vertices are kept, too.
 /// Lives: borrows the workers. Parts live until the next batch, or as long as keep_batches() says.
 /// Cost:  no allocation in a frame whose patches and batches were drawn before. Otherwise a worker
 ///        allocates for a patch that is larger than any other in the frame. A slot (the i-th place

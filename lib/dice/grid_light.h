@@ -20,11 +20,12 @@ void l3d_make_unit(float (&normal)[3]);
 /// Shape: h is the homogeneous vertex, before the division; it may be behind the eye.
 bool l3d_light_vertex(const l3d_dice_view& view, const l3d_image_point& h, float (&normal)[3]);
 
-/// Lights a piece's grid: turns its normals to the visible side, or replaces them by shade levels
-/// and bends, which are evaluated one by one. This is the slow twin of l3d_detail::levels_in_lanes.
+/// Lights a piece's grid. Turns the grid's normals to the visible side, or replaces the normals by
+/// shade levels and bends. Each level is evaluated by itself. This function is the slow twin of
+/// l3d_detail::levels_in_lanes.
 ///
 /// Expects: the grid's places, unit normals and parameters are written.
-/// Cost:    allocates only if `memory`, which is kept from piece to piece, is too small.
+/// Cost:    allocates only if `memory` is too small; the caller keeps it from piece to piece.
 void l3d_light_grid(const l3d_dice_view& view, const l3d_normal_net& normals,
                     l3d_diced_piece& piece, std::array<std::vector<float>, 2>& memory);
 

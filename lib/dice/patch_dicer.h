@@ -45,7 +45,7 @@ struct l3d_dice_budget {
 /// were measured on spikes through the near plane.
 inline constexpr std::int64_t l3d_evaluated_cost = 16, l3d_piece_cost = 256;
 
-/// Dices any patch, given as a homogeneous image net. It is the slow twin of l3d_lane_dicer: it
+/// Dices any patch, given as a homogeneous image net. It is the slow twin of l3d_lane_dicer, and
 /// also takes patches that have to be cut or clipped.
 ///
 /// A patch starts as one piece. A piece is cut in two if it would need more than 32 steps a strip.

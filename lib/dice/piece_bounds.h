@@ -39,9 +39,9 @@ public:
     /// evaluated, because walking would add more than l3d_dice_view::walk_allowance to the error.
     bool walked() const { return walked_; }
 
-    /// The number that stands for 1 in the registers of a walk, a power of two. It makes the
-    /// piece's coordinates in fixed point the largest that fit, however far other things in the
-    /// picture reach.
+    /// The number that stands for 1 in the registers of a walk, a power of two. With this number,
+    /// the piece's coordinates in fixed point are the largest that fit. The number depends on the
+    /// piece alone.
     double unit() const { return unit_; }
 
     /// Bounds what rounding of the vertices adds to the chord error. Units: pixels.

@@ -34,7 +34,7 @@ constexpr direction other(direction d) {
 
 /// One number for each block of a net, in two orders. In `by[d]`, the blocks of a strip of
 /// direction d lie side by side, so that one load reads them. A net of one block has 0 in the lanes
-/// of the missing blocks. The missing strips of such a net are not set.
+/// of the missing blocks. The strips that a net of one block lacks are not set.
 struct block_numbers {
     alignas(64) double by[2][most_strips * most_strips];
 

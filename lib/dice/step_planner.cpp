@@ -114,9 +114,9 @@ private:
         start_along(along_v, needs_.least_v);
     }
 
-    /// Refines strips where the mixed terms exceed the budget. More steps are never worse, with one
-    /// exception: two steps may be worse than one, since one step is not balanced. So after a
-    /// change, all strips are checked once more.
+    /// Refines strips where the mixed terms exceed the budget. More steps are never worse, except
+    /// that two steps may be worse than one, since one step is not balanced. So after a change, all
+    /// strips are checked once more.
     HWY_INLINE void refine() {
         for (bool settled = false; !settled;) {
             settled = true;

@@ -20,7 +20,8 @@ struct l3d_frame_lights {
 /// Expects: camera.is_valid().
 l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
 
-/// Makes the shading of one frame: what a surface rasterizer knows of the camera and the lights.
+/// Makes the shading of one frame, which tells a surface rasterizer about the camera and the
+/// lights.
 ///
 /// Units:   `light` points towards the first light, world space, any length but 0.
 /// Expects: camera.is_valid().

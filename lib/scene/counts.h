@@ -11,7 +11,7 @@
 #include <cstdint>
 #include <tuple>
 
-/// Counts of a frame's shapes by what became of them. A shape is a patch or a triangle.
+/// Counts of a frame's shapes by what became of the shapes. A shape is a patch or a triangle.
 struct L3D_PUBLIC l3d_seen_counts {
     std::int64_t drawn = 0;     ///< the shapes that reached the picture
     std::int64_t offscreen = 0; ///< shapes left out: beyond one side of the window
@@ -27,7 +27,8 @@ struct L3D_PUBLIC l3d_seen_counts {
     }
 };
 
-/// A patch of a scene with the bound of its error, to report the least exact patch of a frame.
+/// A patch of a scene, with the bound of the patch's error. It serves to report the least exact
+/// patch of a frame.
 struct L3D_PUBLIC l3d_coarse_patch {
     double bound_px = 0; ///< the largest error of its places, in pixels
     /// The instance's index in the scene, and the patch's index in the instance's model.
@@ -62,8 +63,8 @@ struct L3D_PUBLIC l3d_surface_certificate {
     /// A bit for each block that is seen and may have places without a normal. The bit's number is
     /// 4 * row + column, or 0 if the piece is one block.
     unsigned without_normals = 0;
-    /// The error of depth in the blocks of `without_normals`, without the distance of quads'
-    /// corners from a plane (l3d_most_off_plane).
+    /// The error of depth in the blocks of `without_normals`. The distance of quads' corners from a
+    /// plane is not part of it (l3d_most_off_plane).
     double depth_without_normals = 0;
 
     /// Adds to `depth` the error of vertices and, in the blocks of `without_normals`, the distance
@@ -108,9 +109,8 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     /// include it.
     double edges_px = 0;
 
-    /// Certified distances from edges to the strips that close gaps beside the edges: in the
-    /// picture, and in depth. Errors of edges and of curved models add nothing to them. Units:
-    /// pixels.
+    /// Certified distances between edges and the strips that close gaps beside them, in the picture
+    /// and in depth. Errors of edges and of curved models add nothing to them. Units: pixels.
     double strips_px = 0, strips_depth_px = 0;
 
     /// Adds an error of `px` pixels to the bounds of all shapes but strips. The bounds of strips,

@@ -105,9 +105,9 @@ struct l3d_dice_view {
     double error_xy = 0; ///< error of x and y of a transformed control point
     double error_w = 0;
 
-    /// Bound of the sum of the magnitudes of all terms that add up to a point's coordinates, with
-    /// those of the eye's place. Rounding errors are in proportion to this sum. 0 says that it is
-    /// unknown; of_share() then cannot reduce errors.
+    /// Bound of the sum of the magnitudes of all terms that add up to a point's coordinates. Terms
+    /// of the eye's place are included. Rounding errors are in proportion to this sum. 0 says that
+    /// it is unknown; of_share() then cannot reduce errors.
     double terms = 0;
     double eye_terms = 0; ///< the eye's part of terms
     /// The w of the camera's near plane. Errors of w may push the plane farther away, to `near`. 0

@@ -109,9 +109,10 @@ double reach_along(const l3d_patch_scene& scene, const vector& direction) {
     return found.height();
 }
 
-/// A model between two planes that meet in the eye: left and right, or below and above. `slope` is
-/// the tangent of each plane's angle to the line of sight. The planes of an eye at place `at` and
-/// `depth` hold the model if at - slope depth >= most and at + slope depth <= least.
+/// A model between two planes that meet in the eye. The planes are left and right of the model, or
+/// below and above it. `slope` is the tangent of each plane's angle to the line of sight. The
+/// planes of an eye at place `at` and `depth` hold the model if at - slope depth >= most and at +
+/// slope depth <= least.
 struct wedge {
     double slope, most, least;
 

@@ -12,9 +12,10 @@ double power_below(double value) {
     return std::exp2(std::floor(std::log2(value)));
 }
 
-/// A bound that stays the same while the value changes a little: the value rounded up to 4 bits, by
-/// at most a 16th. Otherwise an object that moves at the end of a scene would change the errors by
-/// which all other objects are diced. Then the pictures of the other objects would change by a bit.
+/// A bound that mostly stays the same while the value changes a little. It is the value rounded up
+/// to 4 bits, by at most a 16th. Otherwise an object that moves at the end of a scene would change
+/// the errors by which all other objects are diced. Then the pictures of the other objects would
+/// change by a bit.
 double steady_bound(double value) {
     if (!(value > 0))
         return value;
@@ -69,9 +70,9 @@ l3d_image_transform::l3d_image_transform(const l3d_camera& camera, l3d_size size
     error_xy_ = focal * (error_w_ + turning / camera.up_sine() * terms_ * depth_scale_);
 }
 
-/// Sets the transform for a parallel projection: the scene is seen in perspective from a far eye.
-/// The eye's distance is 1 / l3d_parallel_part to 2 / l3d_parallel_part times half of the scene's
-/// depth. x and y are those of the parallel projection, exactly.
+/// Sets the transform for a parallel projection. The transform shows the scene in perspective, from
+/// a far eye. The eye's distance is 1 / l3d_parallel_part to 2 / l3d_parallel_part times half of
+/// the scene's depth. x and y are those of the parallel projection, exactly.
 void l3d_image_transform::set_parallel(const l3d_camera& camera, const l3d_patch_scene& scene) {
     const l3d_camera::frame axes = camera.axes();
     const double scale = camera.scale_at_target(size_);

@@ -31,7 +31,7 @@ private:
     bool with_materials_ = false;
 };
 
-/// The curvature at the end of a colour scale that suits a scene: nine tenths of the scene's area
+/// The curvature at the end of a colour scale that suits a scene. Nine tenths of the scene's area
 /// have less curvature. The number is 1, 2 or 5 times a power of ten; 1 if nothing bends.
 ///
 /// Expects: `shade` is `gaussian` or `mean`.

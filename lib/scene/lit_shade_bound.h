@@ -13,7 +13,8 @@
 struct l3d_lit_errors {
     /// Length of the difference of the interpolated normal and the exact unit normal.
     double normal = 0;
-    /// Angle between two directions to the eye: from the drawn point and from the exact point.
+    /// Angle between the direction from the drawn point to the eye and the direction from the exact
+    /// point to the eye.
     /// Units: radians.
     double way = 0;
 };

@@ -57,10 +57,10 @@ struct L3D_PUBLIC l3d_loose_edge {
 /// A set of bicubic patches, each with its exact normal net and its box. Coordinates are those of
 /// the world, unless an l3d_patch_scene places the model elsewhere.
 ///
-/// A curved model is made of pieces that are not all bicubic: some are rational, or of degrees
-/// above 3. Its patches approximate the pieces within surface_error(). Where a picture needs finer
-/// patches, a pipeline draws a finer level of the model. Materials and parts are those of pieces.
-/// In any other model each patch is a piece.
+/// A curved model is made of pieces that are not all bicubic. Some pieces are rational, or of
+/// degrees above 3. Its patches approximate the pieces within surface_error(). Where a picture
+/// needs finer patches, a pipeline draws a finer level of the model. Materials and parts are those
+/// of pieces. In any other model each patch is a piece.
 ///
 /// A model never changes after it is made. Its copies share its contents.
 /// Lives: the contents live as long as any copy does, such as the one in a scene. References and
@@ -217,7 +217,7 @@ public:
 
     /// The sides that meet two smaller patches, each along half of the side, in the order of
     /// patches. A half of the side has the control points of the smaller patch's side. Pictures
-    /// draw such a side as its two halves, so that no gap shows.
+    /// draw a halved side as its two halves, so that no gap shows.
     std::span<const l3d_halved_side> halved_sides() const;
     /// A bit for each edge of a patch that is one of halved_sides(), in the order of
     /// l3d_patch_reach::edges.
@@ -231,9 +231,9 @@ public:
     const l3d_trim_region* trim(std::size_t index) const;
     /// The edges at which the model's trimmed pieces end.
     std::span<const l3d_shared_edge> edges() const;
-    /// A text about edges that are off their faces by more than the file's own tolerance: how many
-    /// there are, and how far the worst one is off. It is "" if no edge is. Pictures close such
-    /// gaps all the same.
+    /// A text about edges that are off their faces by more than the file's own tolerance. It tells
+    /// how many edges these are, and how far the worst edge is off. The text is "" if there are
+    /// none. Pictures close the gaps at loose edges all the same.
     std::string edges_note() const;
     /// The edges that edges_note() counts, the worst one first.
     std::vector<l3d_loose_edge> loose_edges() const;
@@ -279,8 +279,8 @@ public:
     /// A model without the patches of some parts; all lines stay. Expects, Cost: as only().
     l3d_patch_model without(std::span<const std::size_t> parts) const;
 
-    /// The same patches with these lines in space in place of their own. Pipelines draw them where
-    /// they draw the patches.
+    /// The same patches with these lines in space in place of their own. Pipelines draw the lines
+    /// where they draw the patches.
     l3d_patch_model with_curves(std::vector<l3d_space_curve> curves) const;
 
     /// The lines in space that belong to the model, in its own coordinates.

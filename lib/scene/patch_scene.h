@@ -195,9 +195,9 @@ public:
     /// The model's box in the world, with its reach.
     l3d_slanted_box box() const;
 
-    /// Bound of the sum of the magnitudes of all terms that add up to a point's world coordinates.
-    /// Rounding errors are in proportion to this sum. It holds for points of the model with
-    /// coordinates of magnitude at most `most`.
+    /// Bound of a sum of magnitudes. All terms that add up to a point's world coordinates are
+    /// summed. Rounding errors are in proportion to this sum. The bound holds for points of the
+    /// model with coordinates of magnitude at most `most`.
     double reach(const l3d_vector<double, 3>& most) const { return l3d_dot(terms_, most) + shift_; }
 
     /// The bound reach(most) for all points of the model.
@@ -330,7 +330,7 @@ public:
     }
 
     /// Chooses the level of each curved model that a picture needs (l3d_patch_model::at_level).
-    /// Returns bounds of the errors of these levels, and of other patches that approximate a
+    /// Returns bounds of the errors of these levels, and of all other patches that approximate a
     /// surface. Pipelines call it before each frame. Levels depend on the view and on placements
     /// alone, and do not count as a change of the scene.
     l3d_curved_error choose_levels(const l3d_level_view& view);

@@ -94,8 +94,8 @@ facing_range facing_of(const l3d_doubt_piece& p, const seen_normals& normals,
     return result;
 }
 
-/// The range of parameters that a box covers in the linear picture of a piece: its middle, and how
-/// far it reaches from the middle.
+/// The range of parameters that a box covers in the linear picture of a piece, as the range's
+/// middle and how far it reaches from the middle.
 struct parameter_box {
     double u, v, reach_u, reach_v;
 
@@ -163,9 +163,9 @@ void put_w(l3d_doubt_bounds& b, const l3d_image_patch& net, double error_w) {
 
 } // namespace
 
-/// Tells whether the piece may reach a box. The piece's parameters at a place differ from those of
-/// the linear picture by at most u_off and v_off. The piece misses a box that lies farther than
-/// this difference beyond one of the piece's four sides.
+/// Tells whether the piece may reach a box. At each place, the piece's parameters differ from the
+/// linear picture's parameters by at most u_off and v_off. The piece misses a box that lies farther
+/// than this difference beyond one of the piece's four sides.
 bool l3d_doubt_bounds::touches(const l3d_image_box& other) const {
     if (box.intersected(other).empty())
         return false;

@@ -68,8 +68,8 @@ interval mean_light(const l3d_doubt_bounds& line, double below, double above,
     return {sum.low / (cuts * cuts), sum.high / (cuts * cuts)};
 }
 
-/// Bounds of a lamp's light in a cell: as a white surface scatters it, and as a perfect mirror
-/// reflects it.
+/// Bounds of the light that a lamp adds in a cell: what a white surface scatters, and what a
+/// perfect mirror reflects.
 struct lamp_amounts {
     interval scattered{0, 0}, mirrored{0, 0};
 
@@ -219,8 +219,8 @@ l3d_doubt_verdict lone_sheet::of_levels() const {
             std::min(levels.high - levels.low, below + above)};
 }
 
-/// Bounds the mean light of lamps in the cell: splits the cell into squares and averages their
-/// bounds.
+/// Bounds the mean light of lamps in the cell. Splits the cell into squares and averages the
+/// squares' bounds.
 l3d_light_bounds lone_sheet::mean_by_lamps(int cuts) const {
     const light_lines lines(best_->bounds);
     const double width = cell_.width() / cuts, height = cell_.height() / cuts;

@@ -24,8 +24,9 @@ struct interval {
     }
 };
 
-/// The lines that decide the light of a piece: its level alone, or the cosines for all lamps and w.
-/// Each line bounds a number that is nearly a linear function of the place in the picture.
+/// The lines that decide the light of a piece. They are a single line for the level, or lines for
+/// the cosines of all lamps and for w. Each line bounds a number that is nearly a linear function
+/// of the place in the picture.
 struct light_lines {
     static constexpr std::size_t most = 2 * (l3d_lighting::most_further + 1) + 1;
 

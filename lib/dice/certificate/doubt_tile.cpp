@@ -20,13 +20,13 @@ constexpr int finest_contrast = 4, finest_surface = 3, finest_drawing = 3;
 /// part of its pixel. So the cell's own level may be less certain, in proportion to 1 / its width.
 constexpr double fine_levels = 1;
 
-/// Cutting cells of 2^-costly pixels or less is costly. So such cells are cut only if their pixel's
-/// level is not known to within costly_levels.
+/// Cutting cells of 2^-costly pixels or less is costly. So cells of this size are cut only if their
+/// pixel's level is not known to within costly_levels.
 constexpr int costly = 3;
 constexpr double costly_levels = 4;
 
-/// The limits for a plain piece, which is not halved: its size, the error of its level, and the
-/// error of its picture.
+/// The limits up to which a piece is plain and is not halved: for its size, for the error of its
+/// level, and for the error of its picture.
 /// Units: pixels; levels in cells of a whole pixel; parts of a cell.
 constexpr double largest_plain = 6, plain_levels = 0.3, plain_part = 1.0 / 16;
 
@@ -159,8 +159,8 @@ bool l3d_doubt_tile::is_plain(const l3d_doubt_bounds& b) const {
             b.picture_off <= std::max(plain_part * of_cell, 2 * b.point_off));
 }
 
-/// Whether a piece that reaches past the eye lies beside the tile. Most of such a piece is far
-/// beside the picture. It would be halved until its parts are as small as the near distance. The
+/// Whether a piece that reaches past the eye lies beside the tile. Most of the piece is far beside
+/// the picture. The piece would be halved until its parts are as small as the near distance. The
 /// tile is grown by the control points' error at the near plane, and by a pixel to spare.
 bool l3d_doubt_tile::is_beside_all(const l3d_doubt_piece& piece, double near) const {
     const l3d_dice_view& view = view_->view;

@@ -17,8 +17,8 @@ using l3d_detail::infinite;
 /// Bounds the rounding of sums of light in double, and of the map's floats. Units: levels of 255.
 constexpr double level_rounding = 1e-4;
 
-/// The largest bounds of places and depth, added, for which pixels are searched for other surfaces
-/// within the bounds. Without a search, all of a pixel may show another surface.
+/// The largest sum of the bounds of places and of depth with which frames are searched for pixels
+/// that may show another surface. Without a search, all of a pixel may show another surface.
 /// Units: pixels.
 constexpr double most_searched = 2;
 

@@ -17,7 +17,8 @@
 #include <map>
 #include <vector>
 
-/// The input of l3d_frame_doubts: a drawn frame whose pixels are to be judged, and its bounds.
+/// The input of l3d_frame_doubts: a drawn frame whose pixels are to be judged, and the frame's
+/// error bounds.
 struct l3d_doubted_frame {
     const l3d_patch_scene& scene;
     const l3d_matrix<double>& to_image; ///< maps the world to the view's units
@@ -33,7 +34,7 @@ struct l3d_doubted_frame {
     l3d_fog fog{};
     double nearer = 0; ///< how much nearer the camera's own eye is than the eye that w counts from
     l3d_pixels drawn;  ///< the picture: greys in all three channels, or any colours
-    /// The exact background behind all surfaces; the kind is not `none`.
+    /// The exact background behind all surfaces; not l3d_background::none().
     l3d_background background{};
 };
 
@@ -66,7 +67,7 @@ public:
     /// Units: levels of 255.
     double color_bound() const { return color_bound_; }
 
-    /// The number of pieces that were halved, in all frames so far: a measure of the map's cost.
+    /// The number of pieces that were halved in all frames so far. It measures the map's cost.
     std::int64_t cuts() const;
 
 private:

@@ -17,7 +17,8 @@ namespace {
 /// along an edge.
 constexpr int deepest = 24;
 
-/// The number of halvings of edges that are not small: these get four strips, as patches do.
+/// The number of halvings of edges that are not small. Two halvings make four strips, as in
+/// patches.
 constexpr int usual_level = 2;
 
 double largest_of(const l3d_image_curve& curve, bool depth) {

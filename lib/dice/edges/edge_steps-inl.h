@@ -97,8 +97,9 @@ struct strip_wishes {
 };
 
 /// Finds the number of steps and the chord errors of all strips, by the bounds of
-/// l3d_second_bound_of and l3d_depth_bound_of. The errors are those of unbalanced chords, as slits
-/// have them. Only the first `used` lanes count, but whole vectors are written.
+/// l3d_second_bound_of and l3d_depth_bound_of. The errors are those of unbalanced chords, since
+/// chords in slits are not balanced. Only the first `used` lanes count, but whole vectors are
+/// written.
 void plan_strips(const strip_nets& nets, std::size_t used, const l3d_image_box& window,
                  double focal, const strip_wishes& wishes, row& steps, row& chord_error) {
     const hn::CappedTag<double, lanes> d;

@@ -41,8 +41,9 @@ bool counts_centres(const l3d_dice_view& view) {
     return !view.keep.centreless && view.trim == nullptr;
 }
 
-/// Whether a triangle certainly holds none of the centres of some columns and rows of pixels, not
-/// even on its sides. Each line of pixels along the longer side of the triangle's box is looked at.
+/// Whether a triangle certainly holds no pixel's centre, not even on its sides. Only pixels in the
+/// given columns and rows are looked at. Each line of pixels along the longer side of the
+/// triangle's box is looked at.
 bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place& r,
                      const l3d_pixel_centres<std::int32_t>& columns,
                      const l3d_pixel_centres<std::int32_t>& rows) {
@@ -271,8 +272,8 @@ private:
                         : l3d_side_of_quad(grid_, quad, side_ == 3 ? grid_.columns - 2 : 0, side_);
     }
 
-    /// The place of a parameter in the row: two neighbouring vertices, and the share of the way
-    /// between them. A parameter beyond an end of the row counts as that end.
+    /// The place of a parameter in the row, as two neighbouring vertices and the share of the way
+    /// from the first to the second. A parameter beyond an end of the row counts as that end.
     struct place {
         std::size_t before, after;
         float part;

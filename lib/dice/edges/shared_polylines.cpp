@@ -22,8 +22,8 @@ struct image_curve {
     std::array<control_point, l3d_bpt_largest_degree + 1> points;
     std::size_t count = 0;
 
-    /// Halves the curve. Only points that count are written: most edges have two or three of the
-    /// sixteen.
+    /// Halves the curve. Only the curve's own control points are written. There is room for
+    /// sixteen, but most edges have two or three.
     void halve(image_curve& low, image_curve& high) const {
         low.count = high.count = count;
         std::copy_n(points.begin(), count, high.points.begin());
@@ -241,7 +241,7 @@ l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
 namespace {
 
 /// Whether a triangle has no area when it is drawn. Where a border has the same points as the edge,
-/// every other triangle of the strip has none.
+/// every second triangle of the strip has no area.
 bool covers_nothing(const l3d_clip_vertex& a, const l3d_clip_vertex& b, const l3d_clip_vertex& c) {
     return a.drawable && b.drawable && c.drawable &&
            l3d_detail::twice_area(a.dice.vertex, b.dice.vertex, c.dice.vertex) == 0;
@@ -268,7 +268,7 @@ double share_at(double t, const l3d_border_point& from, const l3d_border_point& 
     return double{static_cast<float>(std::clamp(part, 0.0, 1.0))};
 }
 
-/// Adds a strip that need not be cut: its chords are near the edge, or it lies outside of the
+/// Adds a strip that need not be cut, since its chords are near the edge or it lies outside of the
 /// picture.
 void add_uncut(const l3d_shared_polyline& line, const l3d_border_point& from,
                const l3d_border_point& to, const l3d_dice_view& view, l3d_diced_piece& piece) {

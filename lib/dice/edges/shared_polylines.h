@@ -46,7 +46,8 @@ inline double l3d_measured_near(const l3d_dice_view& view) {
     return view.near / 2;
 }
 
-/// The largest distance of an edge from the chords of its polyline: a quarter of the tolerance.
+/// The largest allowed distance between an edge and the chords of its polyline. It is a quarter of
+/// the tolerance.
 /// Units: pixels.
 inline double l3d_shared_chord_error(const l3d_dice_view& view) {
     return view.tolerance / 4;
@@ -63,8 +64,8 @@ struct l3d_border_point {
 l3d_border_point l3d_border_point_of(const l3d_dice_vertex& at, double t,
                                      const l3d_dice_view& view);
 
-/// Adds a strip to a piece: triangles between a part of a face's border and the part of the edge's
-/// polyline beside it. Strips close the gaps between faces that end at an edge.
+/// Adds a strip to a piece. A strip is a row of triangles between a part of a face's border and the
+/// part of the edge's polyline beside it. Strips close the gaps between faces that end at an edge.
 ///
 /// The part of the border runs from `from` to `to`. The strip has the polyline's points from the
 /// last point at or before from.t up to to.t. So the strips of two neighbouring parts of a border

@@ -78,9 +78,10 @@ bool is_unseen(const strip& of, const l3d_dice_view& view) {
 /// section 27, Distances of strips).
 ///
 /// The triangle before an inner point of the polyline is near the first chord. The other triangles
-/// are near the part of the polyline between two places: the places nearest to a and to b. Each
-/// point of these triangles has a point of that part that is as far along the line between the two
-/// places. Across that line, the two points differ by no more than corners do.
+/// are near a part of the polyline. This part runs from the polyline's place nearest to a to its
+/// place nearest to b. Each point of these triangles has a point of that part that is as far along
+/// the line between the two places. Across that line, the two points differ by no more than corners
+/// do.
 double width_of(const strip& of, const l3d_strip_corner& a, const l3d_strip_corner& b,
                 place l3d_strip_corner::*in) {
     const auto point = [&](std::size_t i) -> const place& { return of.line.corners[i].*in; };

@@ -75,7 +75,7 @@ struct block_nets {
 };
 
 /// Cuts a net into the nets of its blocks. The first cuts are along u, with a row of the net and a
-/// u-strip in each lane. The others are along v.
+/// u-strip in each lane. The remaining cuts are along v.
 /// Shape: net is [component][4 * row + column].
 HWY_ATTR void cut(const float (&net)[3][points], block_nets& blocks) {
     const floats d;

@@ -35,9 +35,9 @@ using doubles = hn::CappedTag<double, points>;
 constexpr float difference_rounding = 170 * 0x1p-24F, relative = 1 + 8 * 0x1p-23F;
 
 /// The same bound for third and fourth differences of a whole net. These are made in doubles and
-/// rounded to floats once. In these units the differences of x and y are at most 16. The
-/// differences of w, which is positive, are at most 8. Their rounding is 16 + 8; the rounding of X0
-/// d w is 8, and that of X0 is 8. In the image norm the sum is sqrt(2) (16 + 8 + 8 + 8) = 57.
+/// rounded to floats once. In these units the differences of x and y are at most 16. Since w is
+/// positive, differences of w are at most 8. Their rounding is 16 + 8; the rounding of X0 d w is 8,
+/// and that of X0 is 8. In the image norm the sum is sqrt(2) (16 + 8 + 8 + 8) = 57.
 constexpr float mixed_rounding = 64 * 0x1p-24F;
 
 /// The same bound for second and mixed differences of w alone.
@@ -126,8 +126,8 @@ double reach_of(const lane_bounds& of) {
     return std::max({x - of.hull.left, of.hull.right - x, y - of.hull.top, of.hull.bottom - y});
 }
 
-/// The size below which a block needs bounds of depth, too: the sum of the width and height of its
-/// image box. See l3d_needs_of; 2.83 > 2 sqrt(2).
+/// The size below which a block needs bounds of depth, too. A block's size is the sum of the width
+/// and height of its box in the picture. See l3d_needs_of; 2.83 > 2 sqrt(2).
 double depth_matters_below(const l3d_dice_view& view, bool balanced) {
     return (balanced ? 1 / l3d_balance : 8) * 2.83 * view.chord_budget(0);
 }

@@ -23,7 +23,7 @@
 /// Cost:  no allocation, unless `out` has to be larger than ever before.
 template <class T> class l3d_lane_dicer {
 public:
-    /// Dices a patch in one piece: makes its grid and fills its slits. Nothing is left out.
+    /// Dices a patch in one piece: makes its grid and fills its slits.
     ///
     /// Shape:   edges in the order of l3d_edge_polylines::outer(), made for this net and view.
     /// Expects: tolerance > 0, near > 0.

@@ -150,8 +150,8 @@ private:
     normal_lanes ray_, right_, down_;
 };
 
-/// Calls the writer for all vertices of a grid: one vector of columns after another, each from top
-/// to bottom.
+/// Calls the writer for all vertices of a grid. Goes through one vector of columns after another,
+/// each from top to bottom.
 template <class Writer>
 HWY_ATTR HWY_INLINE void for_vertices(const lane_parameters& u, const lane_parameters& v,
                                       const l3d_micro_grid& grid, Writer& writer) {
@@ -222,8 +222,8 @@ struct level_writer {
     }
 };
 
-/// Writes what level_writer writes, for a grid of few columns. One vector holds the columns, and
-/// the middles between them behind them.
+/// Writes what level_writer writes, for a grid of few columns. One vector holds the columns,
+/// followed by the middles between neighbouring columns.
 HWY_ATTR void levels_of_few(const l3d_normal_net::float_net& net, const lane_parameters& u,
                             const lane_parameters& middle_u, const quintic_weights& in_v,
                             const quintic_weights& beside_v, std::size_t rows, const eye_rays& rays,

@@ -73,8 +73,8 @@ struct patch_sheet {
     patch_place least{0, 0}, most{1, 1}; ///< corners of the rectangle
 };
 
-/// The unit of an audit's search: a triangle of a mesh, or the part of a patch over a triangle of
-/// parameters.
+/// The unit of an audit's search. It is a triangle of a mesh, or the part of a patch over a
+/// triangle of parameters.
 ///
 /// A place of the part and the place of the triangle `flat` with the same barycentric weights are
 /// within `off` of each other. So each place of the part or of the triangle is within `off` of the

@@ -80,7 +80,8 @@ public:
 
     HWY_ATTR HWY_INLINE number size(std::size_t k, std::size_t l) const { return sizes_[k][l]; }
 
-    /// The value in the corner of the series of absolute values of N's coefficients.
+    /// The value of a series in the corner. Its coefficients are the absolute values of N's
+    /// coefficients.
     HWY_ATTR HWY_INLINE number sum_of_sizes() const { return most_[0][0]; }
     HWY_ATTR HWY_INLINE number noise() const { return noise_; }
 

@@ -24,9 +24,9 @@ float rounded_up(double x) {
 /// Bounds the largest eigenvalue of M^T M from above and the least from below. M is the upper left
 /// three by three of a map.
 ///
-/// After Jacobi's rotations, Gershgorin's circles bound eigenvalues: each is within the sum of its
-/// row's other entries of a diagonal entry. Three rounds leave rounding of some 100 * 2^-53,
-/// relative to the largest entry. The slack is 2^-43 of that entry.
+/// After Jacobi's rotations, Gershgorin's circles bound eigenvalues: each is near a diagonal entry,
+/// within the sum of the other entries' sizes in that row. Three rounds leave rounding of some 100
+/// * 2^-53, relative to the largest entry. The slack is 2^-43 of that entry.
 struct squared_scales {
     double least, most;
 
@@ -70,8 +70,8 @@ private:
     }
 };
 
-/// Bounds the derivatives of normals N' = B N / |B N| by those of N. B holds the cofactors of a
-/// map, and |B d| is between b |d| and kappa b |d|.
+/// Bounds the derivatives of normals N' = B N / |B N| by the derivatives of N. B holds the
+/// cofactors of a map, and |B d| is between b |d| and kappa b |d|.
 ///
 /// Let B^T B = c (1 + F) with c in the middle of its eigenvalues, so |F| <= f = (kappa^2 - 1) /
 /// (kappa^2 + 1). Let r = |B N|, so c / r^2 <= (kappa^2 + 1) / 2. As N . N = 1, r^2 / c = 1 + N . F

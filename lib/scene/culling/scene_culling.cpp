@@ -210,7 +210,7 @@ void l3d_scene_culling::open_next_instance(hidden_call hidden, const void* conte
 }
 
 /// Sorts the nearest patches of the waiting line to its end, the nearest last. A long line is
-/// sorted an eighth at a time: each patch is looked at up to eight times, and sorted once.
+/// sorted an eighth at a time. So each patch is looked at up to eight times, and sorted once.
 void l3d_scene_culling::sort_nearest(std::size_t count) {
     if (sorted_ >= count)
         return;

@@ -30,8 +30,8 @@ std::int64_t* l3d_reason_to_leave_out(const l3d_depth_range& depth, const l3d_di
     return !view.keep.centreless && holds_no_centre() ? &counts.subpixel : nullptr;
 }
 
-/// Whether a patch need not be diced: its net proves that the patch is not seen, and no switch of
-/// view.keep asks for it. The reason is counted in `counts`.
+/// Whether a patch need not be diced, since its net proves that the patch is not seen. A patch that
+/// a switch of view.keep asks for is always diced. The reason is counted in `counts`.
 bool l3d_left_out(const l3d_image_net& net, const l3d_dice_view& view, l3d_dice_counts& counts);
 
 #endif

@@ -18,8 +18,8 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// The angle from which on a side is a crease, two degrees: it changes Lambert's shade by eight
-/// levels, as in l3d_patch_neighbours.
+/// The angle from which on a side is a crease: two degrees. An angle of this size changes Lambert's
+/// shade by eight levels, as in l3d_patch_neighbours.
 constexpr double least_angle = 8 / 229.5;
 
 /// A side of a piece, or a part of a side. Sides are v = 0, u = 1, v = 1, u = 0, in the order in

@@ -12,7 +12,8 @@
 
 namespace l3d_detail {
 
-/// A vertex of a line on surfaces: a place on a piece, and where the picture shows it.
+/// A vertex of a line on surfaces. It is a place on a piece, with the place where the picture shows
+/// it.
 struct surface_vertex {
     image_place at{};
     std::size_t piece = 0; ///< the piece's index among all pieces of the drawing
@@ -31,8 +32,8 @@ using surface_line = std::vector<surface_vertex>;
 std::vector<surface_line> contours_of(const image_piece& piece, std::size_t number,
                                       const drawing_view& view, double tolerance);
 
-/// The place of a piece's contour whose parameters are nearest to those of `near`; nothing if
-/// Newton's method finds none.
+/// The place on a piece's contour that Newton's method finds when it begins at the parameters of
+/// `near`. Nothing if it finds none.
 std::optional<surface_vertex> on_contour(const image_piece& piece, const surface_vertex& near);
 
 /// The shape of the surface around a place of its contour.

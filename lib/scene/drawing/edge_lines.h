@@ -8,10 +8,10 @@
 
 #include <vector>
 
-/// The lines that show a model's edges: the whole edges that its trimmed faces share. If the model
-/// has no such edges, the lines run along trims, and along sides of patches that are open or
-/// creased (l3d_patch_neighbours). Lines along sides lie exactly on the patches. Lines along trims
-/// lie nearly on the patches.
+/// The lines that show a model's edges. They are the whole edges that the model's trimmed faces
+/// share. If the faces share no edges, the lines run along trims, and along sides of patches that
+/// are open or creased (l3d_patch_neighbours). Lines along sides lie exactly on the patches. Lines
+/// along trims lie nearly on the patches.
 /// Cost: as l3d_patch_neighbours.
 std::vector<l3d_space_curve> l3d_edge_lines(const l3d_patch_model& model);
 

@@ -72,7 +72,7 @@ public:
     drawing_view(const l3d_camera& camera, l3d_size size, double middle_depth, double reach);
 
     std::array<double, 4> placed(const std::array<double, 4>& world) const;
-    /// Tells on which side of the near plane a homogeneous place lies: the result is not negative
+    /// Tells on which side of the near plane a homogeneous place lies. The result is not negative
     /// in front of the plane. The result is linear in homogeneous places.
     double ahead(const double* p) const { return is_parallel_ ? 1 : p[3] - near_ * p[2]; }
     /// The distance along the view axis of a place with the depth z (image_place::z).
@@ -161,7 +161,7 @@ struct flat_image {
     double error = 0; ///< bound of the net's distance from the parallelogram, in pixels
 
     explicit flat_image(const bernstein_net& net);
-    /// A bound of the distance of any two places of the net in the picture.
+    /// A bound of the distance between any two places of the net, in the picture.
     double reach() const {
         return std::hypot(along_u.x, along_u.y) + std::hypot(along_v.x, along_v.y) + 2 * error;
     }
@@ -178,7 +178,7 @@ struct flat_image {
 /// Expects: all in front of the near plane.
 bool bends_along_u(const bernstein_net& net);
 
-/// The distance in the picture of a place from the chord between two others.
+/// The distance of the place p from the chord between the places `from` and `to`, in the picture.
 double distance_from(const image_place& p, const image_place& from, const image_place& to);
 
 } // namespace l3d_detail

@@ -143,7 +143,7 @@ private:
     }
 
     /// Cuts other lines where a line ends on them. A surface that hides the other lines often
-    /// begins there, too.
+    /// begins at the line's end.
     void end_on_others(std::size_t chain, const surface_vertex& end) {
         const double reach = 4 * tolerance_; // both lines are off by at most the tolerance
         for_squares(end.at.x - reach, end.at.x + reach, end.at.y - reach, end.at.y + reach,

@@ -105,7 +105,7 @@ public:
     using vector = l3d_vector<double, 3>;
 
     /// Expects: each piece as l3d_rational_piece expects. Trims may name edges that do not exist;
-    ///          such names are ignored.
+    ///          these names are ignored.
     explicit l3d_curved_pieces(std::vector<l3d_patch_points> pieces,
                                std::vector<l3d_model_edge> edges = {});
 
@@ -132,9 +132,9 @@ public:
     /// most_halvings_for_normals + `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
     /// The largest number of halvings of a cell for errors of normals at level 0. Where a cell is
-    /// halved both ways, its error falls to 1 / 64. From 2, the largest possible error, two such
-    /// steps lead to 2^-11, below the target of level 0. Two more steps are for pieces that bend so
-    /// much that errors fall less at first. Each step is two halvings.
+    /// halved both ways, its error falls to 1 / 64. The largest possible error is 2. Two steps of
+    /// both halvings reduce it to 2^-11, below the target of level 0. Two more steps are for pieces
+    /// that bend so much that errors fall less at first. Each step is two halvings.
     static constexpr int most_halvings_for_normals = 2 * (2 + 2);
     /// The largest number of cells of a model at any level: they take some 300 MB.
     static constexpr double most_cells = 0x1p17;

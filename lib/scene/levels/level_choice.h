@@ -6,10 +6,10 @@
 #include "scene/camera.h"
 #include "tool_2d/pixels.h"
 
-/// The shares of a picture's tolerances that errors of curved models may take: of the tolerance of
-/// places, and of that of shade levels. Errors of places fall with the fourth power of the number
-/// of patches along a side, and errors of normals with the third. So larger shares would save
-/// little.
+/// The shares of a picture's tolerances that errors of curved models may take. The first is a share
+/// of the tolerance of places, the second of the tolerance of shade levels. Errors of places fall
+/// with the fourth power of the number of patches along a side, and errors of normals with the
+/// third. So larger shares would save little.
 inline constexpr double l3d_curved_share = 0.125, l3d_curved_share_of_shade = 0.25;
 
 /// The view for which levels of curved models are chosen, with the largest errors that these models

@@ -107,8 +107,8 @@ struct l3d_patch_model::source {
         constexpr double of_corner = 1.0 / 4;
         return {by.error, by.cells + of_corner * pieces.trim_corners(places)};
     }
-    /// Makes the contents for a wish with a region, or finds those made before. Null if no cell may
-    /// be seen in the region.
+    /// Makes the contents for a wish with a region, or finds the contents that were made for an
+    /// equal wish before. Null if no cell may be seen in the region.
     std::shared_ptr<const contents> seen(const l3d_cell_wish& wanted) const;
 
     l3d_curved_pieces pieces;
@@ -120,9 +120,8 @@ private:
     l3d_cell_wish wish(int places, int normals) const {
         return {.places = pieces.place_target(places), .normals = normals};
     }
-    /// The cuts of a level. The search for them starts from the cuts of the next coarser level of
-    /// places or, at level 0 of places, of normals. So a level does not depend on the order of
-    /// requests.
+    /// The cuts of a level. The search starts from the cuts of the next coarser level of places or,
+    /// at level 0 of places, of normals. So a level does not depend on the order of requests.
     const l3d_curved_pieces::cuts& cuts_at(int places, int normals) const;
 
     mutable std::mutex mutex_;

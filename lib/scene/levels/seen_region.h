@@ -37,8 +37,8 @@ public:
     /// Whether the hull of some points lies outside, beyond one of the four sides. Points are (x w,
     /// y w, z w, w) with positive weights w.
     bool hides(std::span<const l3d_vector<double, 4>> points) const;
-    /// A lower bound of the depth of the hull of some points, as in hides(), for every view with
-    /// this region. The depth is the distance along the view axis, or 1 in a parallel projection.
+    /// A lower bound of the depth of some points' hull, for every view with this region. Points are
+    /// as in hides(). The depth is the distance along the view axis, or 1 in a parallel projection.
     /// The bound may be negative.
     double least_depth(std::span<const l3d_vector<double, 4>> points) const;
     /// Whether a box, from its least to its largest coordinates, lies inside the region.

@@ -271,7 +271,8 @@ void l3d_ray_search::keep_unproven(const part& one) {
                      .depth_width = high[2] - low[2]});
 }
 
-/// Joins unproven hits that lie side by side along an outline: any of them may be the nearest.
+/// Joins unproven hits that lie side by side along an outline, since any of these hits may be the
+/// nearest.
 l3d_ray_hit l3d_ray_search::joined(l3d_ray_hit first) {
     const double front = first.depth - first.depth_width / 2;
     double back = front + first.depth_width;

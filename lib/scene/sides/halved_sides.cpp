@@ -13,8 +13,8 @@ using patch = l3d_bezier_patch<double, 3>;
 using curve = patch::curve;
 using numbers = std::array<double, 12>;
 
-/// An entry of the table of sides: how many sides have the same control points, in either
-/// direction, and the first of them.
+/// An entry of the table of sides. It tells how many sides have the same control points, in either
+/// direction, and which of these sides comes first.
 struct met_sides {
     std::size_t count = 0;
     l3d_halved_side::place first{};

@@ -12,8 +12,8 @@
 #include <vector>
 
 /// A side of a patch whose two halves are sides of other patches. The halves have the same control
-/// points as those sides, bit for bit. Pictures draw such a side as its halves, so that no gap
-/// shows.
+/// points as the other patches' sides, bit for bit. Pictures draw a halved side as its halves, so
+/// that no gap shows.
 ///
 /// Shape: sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
 struct l3d_halved_side {

@@ -11,8 +11,8 @@
 #include <span>
 #include <vector>
 
-/// An edge of a model, at which trimmed faces end: a curve in space, cut into Bezier curves one
-/// after another.
+/// An edge of a model, at which trimmed faces end. It is a curve in space, cut into Bezier curves
+/// one after another.
 struct l3d_shared_edge {
     /// A part of the edge, from one parameter to another.
     struct span {
@@ -21,8 +21,8 @@ struct l3d_shared_edge {
     };
     l3d_nurbs_curve curve; ///< the curve as the file has it
     std::vector<span> spans;
-    /// The places of the edge's two ends. Ends of several edges become one place if they are near
-    /// enough: by the edges' tolerances, or by how far the edges are off their faces.
+    /// The places of the edge's two ends. Ends of several edges become one place if they are nearer
+    /// than the edges' tolerances, or than the distances of the edges from their faces.
     std::array<l3d_vector<double, 3>, 2> ends{};
     /// The largest distance found between the edge and its faces, at the same parameters. It is
     /// measured at places of each trim curve, not proven.

@@ -13,8 +13,8 @@
 /// Knows, for each side of a model's patches, how the surface continues beyond the side.
 ///
 /// The surface goes on beyond a side if exactly one other side has the same control points, in
-/// either direction. It also goes on if the two halves of the side are sides of other patches.
-/// Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
+/// either direction. The surface also goes on if the two halves of the side are sides of other
+/// patches. Sides are v = 0, u = 1, v = 1, u = 0, in the order in which one walks round the patch.
 /// Cost: some microseconds a patch.
 class l3d_side_pairs {
 public:
