@@ -65,8 +65,8 @@ public:
     /// Starts a frame. Expects: tolerance > 0, near > 0.
     void begin(const l3d_dice_view& view);
 
-    /// Dices a batch of patches, and returns their parts. Expects: the batch comes from this scene
-    /// and culling.
+    /// Dices a batch of patches, and returns their parts. Expects: a batch that `culling` handed
+    /// out for this scene.
     std::span<const l3d_surface_part* const> dice(const l3d_patch_scene& scene,
                                                   const l3d_scene_culling& culling,
                                                   std::span<const l3d_placed_patch> batch);

@@ -13,8 +13,8 @@ namespace {
 using direction = std::array<double, 3>;
 
 /// The error of normals that are rounded to 16383rds, 2^-14.2, and computed in floats. Floats err
-/// as in shade levels, divided by 229.5: by 20 * 2^-24 of numbers up to 2^8, times the cancellation
-/// of terms.
+/// as in shade levels, divided by 229.5. In shade levels they err by 20 * 2^-24 of numbers up to
+/// 2^8, times the cancellation of terms.
 constexpr double rounded_normal = 5.3e-5 + 4.4e-5;
 
 /// The error of a colour channel that is rounded to a whole level, and computed in floats.

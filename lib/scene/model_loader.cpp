@@ -119,7 +119,7 @@ void read_materials(const std::string& path, const std::string& name, l3d_model_
         note_unknown(materials, name, model);
 }
 
-/// Makes a model of hills from a picture: each pixel's grey is a height, and pixels are one unit
+/// Makes a model of hills from a picture. Each pixel's grey is a height, and pixels are one unit
 /// apart. White is higher than black by a quarter of the picture's longer side. With this height,
 /// the hills of most pictures look neither flat nor like needles.
 l3d_model_file heights_of(const std::string& bytes, const std::string& name) {

@@ -58,9 +58,9 @@ struct L3D_PUBLIC l3d_loose_edge {
 /// the world, unless an l3d_patch_scene places the model elsewhere.
 ///
 /// A curved model is made of pieces that are not all bicubic. Some pieces are rational, or of
-/// degrees above 3. Its patches approximate the pieces within surface_error(). Where a picture
-/// needs finer patches, a pipeline draws a finer level of the model. Materials and parts are those
-/// of pieces. In any other model each patch is a piece.
+/// degrees above 3. The patches of a curved model approximate its pieces within surface_error().
+/// Where a picture needs finer patches, a pipeline draws a finer level of the model. Materials and
+/// parts belong to pieces. In a model that is not curved, each patch is a piece.
 ///
 /// A model never changes after it is made. Its copies share its contents.
 /// Lives: the contents live as long as any copy does, such as the one in a scene. References and

@@ -224,7 +224,7 @@ private:
 /// Models of bicubic patches, placed in the world. Each model may stand at any number of places.
 ///
 /// Patches of one instance meet without a gap where their control points do. Patches of two
-/// instances do so only if the placements are the same numbers.
+/// instances also meet without a gap if the numbers of both placements are equal.
 /// Lives: shares the models: a program may forget its own copies.
 /// Cost: the test whether an instance is seen reads 104 bytes. An instance takes some 460 bytes
 ///       more.
@@ -239,8 +239,8 @@ public:
     l3d_patch_scene(const l3d_patch_model& model) { add(model); }
 
     /// A scene of a file that was read. Each shape that stands at many places is one model, which
-    /// its instances share. Transparent places are copies in one model, as few instances may be
-    /// transparent.
+    /// its instances share. Shapes at transparent places are copied into one model, since only few
+    /// instances may be transparent.
     /// Errors: as l3d_patch_model::from_file; also for a place that complaint() refuses.
     static std::optional<l3d_patch_scene> from_file(const l3d_model_file& file,
                                                     std::string_view name, std::string& why);

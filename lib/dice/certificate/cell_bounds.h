@@ -87,10 +87,11 @@ private:
     static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
     std::vector<const l3d_doubt_leaf*> pieces_;
-    std::vector<member> members_;      ///< members for pieces_, in order
-    l3d_detail::directed_sets joined_; ///< which members form a sheet; directions do not count
-    std::vector<sheet> sheets_;        ///< for each member; valid for the roots of sheets
-    std::size_t only_ = nowhere;       ///< the root of the sheet that is seen alone
+    std::vector<member> members_; ///< members for pieces_, in order
+    /// Sets of members, one for each sheet; the sets' directions are not used.
+    l3d_detail::directed_sets joined_;
+    std::vector<sheet> sheets_;  ///< one for each member; valid only for the roots of sheets
+    std::size_t only_ = nowhere; ///< the root of the sheet that is seen alone
     bool is_hopeless_ = false;
 };
 

@@ -17,8 +17,8 @@ using l3d_detail::infinite;
 /// Bounds the rounding of sums of light in double, and of the map's floats. Units: levels of 255.
 constexpr double level_rounding = 1e-4;
 
-/// The largest sum of the bounds of places and of depth with which frames are searched for pixels
-/// that may show another surface. Without a search, all of a pixel may show another surface.
+/// The largest sum of the bounds of places and of depth for which a frame's pixels are searched for
+/// other surfaces within the bounds. Without a search, all of a pixel may show another surface.
 /// Units: pixels.
 constexpr double most_searched = 2;
 
@@ -93,7 +93,7 @@ double determinant_of(const l3d_matrix<double>& m) {
 
 } // namespace
 
-/// Finds the patches that may reach the picture. It keeps only the patches' boxes, since nets are
+/// Finds the patches that may reach the picture. Only the patches' boxes are kept, since nets are
 /// large.
 void l3d_frame_doubts::place(const l3d_doubted_frame& frame) {
     sides_.clear(); // a new model may have the identity of a gone one

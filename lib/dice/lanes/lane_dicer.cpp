@@ -42,7 +42,7 @@ l3d_block_starts starts_of(const l3d_step_plan& plan, const std::array<int, 4>& 
 
 } // namespace
 
-/// The largest number that registers of w hold.
+/// The largest number that the registers for w have to hold.
 template <class T> double l3d_lane_dicer<T>::walked_w(const l3d_dice_view& view) const {
     if (!view.is_parallel())
         return bounds_.most_w;

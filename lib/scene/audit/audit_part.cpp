@@ -149,7 +149,7 @@ std::array<double, 3> bent_patch::bounds(const patch_place& least, const patch_p
 /// The contribution of each side to `off`. Let e be a side of the triangle as a step in (u, v), and
 /// let l_i be the weights of the corners at a place. The flat triangle is off by at most half the
 /// sum of l_i l_j |second derivative along e|, over all three sides. NUMERICS, "The distance
-/// between a mesh and a surface", derives it.
+/// between a mesh and a surface", derives this bound.
 std::array<double, 3> audit_part::weights() const {
     std::array<double, 2> widths{};
     std::array<place, 3> sides{};

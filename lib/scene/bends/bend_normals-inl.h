@@ -165,8 +165,8 @@ struct product_in_corner {
 /// Finds the bounds `most_`.
 ///
 /// Let a be the normal in the middle, and p m = f + z a + x. f is exact; z and x are the rest
-/// beyond the order, along a and across it. Divided by 1 + z, which changes no direction, it is f +
-/// (x - z (f - a)) / (1 + z). So for a plane nothing is left beyond the order, and elsewhere less
+/// beyond the order, along a and across it. Dividing p m by 1 + z changes no direction, and gives f
+/// + (x - z (f - a)) / (1 + z). So for a plane nothing is left beyond the order, and elsewhere less
 /// is left than without this division.
 HWY_ATTR void part_normals::bound_products(const taylor_net<5>& m, const series& p) {
     const vector a = m.at[0][0];

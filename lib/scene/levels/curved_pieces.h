@@ -131,10 +131,10 @@ public:
     /// of Lambert's 229.5. Two levels more ask for an eighth. Cells are halved for normals at most
     /// most_halvings_for_normals + `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
-    /// The largest number of halvings of a cell for errors of normals at level 0. Where a cell is
-    /// halved both ways, its error falls to 1 / 64. The largest possible error is 2. Two steps of
-    /// both halvings reduce it to 2^-11, below the target of level 0. Two more steps are for pieces
-    /// that bend so much that errors fall less at first. Each step is two halvings.
+    /// The largest number of halvings of a cell for errors of normals at level 0. A step of two
+    /// halvings, one along u and one along v, divides a cell's error by 64. Two steps bring the
+    /// largest possible error, 2, to 2^-11, below the target of level 0. Two more steps are for
+    /// pieces that bend so much that errors fall less at first.
     static constexpr int most_halvings_for_normals = 2 * (2 + 2);
     /// The largest number of cells of a model at any level: they take some 300 MB.
     static constexpr double most_cells = 0x1p17;

@@ -67,7 +67,8 @@ struct l3d_patch_model::contents {
     std::vector<double> errors;    ///< errors of places, one for each patch
     /// The results of l3d_patch_model::surface_error() and normal_error().
     double surface_error = 0, normal_error = 0;
-    double share = 0; ///< the largest ratio of an error of places to the allowed one
+    /// The largest ratio of a patch's error of places to the error that is allowed there.
+    double share = 0;
 
 private:
     void learn(const contents* like, std::span<const std::size_t> places_in_like);

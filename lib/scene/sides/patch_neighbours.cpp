@@ -18,7 +18,7 @@ using pairs = l3d_side_pairs;
 /// 5, so some five places would be enough to compare two patches. Here are twice as many.
 constexpr int places = 11;
 
-/// The least angle of a kink: eight levels of Lambert's grey, 229.5 n.l, or two degrees. At a
+/// The least angle of a kink: two degrees, or eight shade levels of Lambert's grey, 229.5 n.l. At a
 /// smaller kink, nobody sees which of the two patches a pixel shows.
 constexpr double least_angle = 8 / 229.5;
 

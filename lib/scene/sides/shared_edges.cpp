@@ -70,9 +70,10 @@ std::vector<l3d_shared_edge::span> spans_of(const l3d_nurbs_curve& curve, const 
     return result;
 }
 
-/// Moves ends of edges to one place if they are near enough. They are near enough within their
-/// edges' tolerances, or within the distances of the edges from their faces. The common place is
-/// the end of the most exact edge. So a loose edge never moves the end of a tighter edge.
+/// Moves ends of edges to one place if they are near enough. They are near enough if their distance
+/// is at most the sum of both edges' allowances. An edge's allowance is its tolerance, or its
+/// distance from its faces if that is larger. The common place is the end of the most exact edge.
+/// So a loose edge never moves the end of a tighter edge.
 void join_ends(std::vector<l3d_shared_edge>& edges) {
     struct end {
         vector at;

@@ -21,8 +21,9 @@ struct l3d_shared_edge {
     };
     l3d_nurbs_curve curve; ///< the curve as the file has it
     std::vector<span> spans;
-    /// The places of the edge's two ends. Ends of several edges become one place if they are nearer
-    /// than the edges' tolerances, or than the distances of the edges from their faces.
+    /// The places of the edge's two ends. Ends of two edges become one place if their distance is
+    /// at most the sum of both edges' allowances. An edge's allowance is its tolerance, or `off` if
+    /// that is larger.
     std::array<l3d_vector<double, 3>, 2> ends{};
     /// The largest distance found between the edge and its faces, at the same parameters. It is
     /// measured at places of each trim curve, not proven.
