@@ -129,8 +129,8 @@ void l3d_trim_cells::add(const Surface& of, const typename Surface::point& a,
     piece_->add_triangle(p[0], p[1], p[2]);
 }
 
-/// Makes a vertex of a point on a strip's border. It has the light of one side of the surface, and
-/// no bends.
+/// Makes a vertex of a point on a strip's border. The vertex has the light of one side of the
+/// surface, and no bends.
 template <class Point> l3d_dice_vertex l3d_trim_cells::lit(const Point& at, float side) const {
     l3d_dice_vertex result{at.vertex, at.uv.u, at.uv.v};
     float(&normal)[3] = result.vertex.normal;

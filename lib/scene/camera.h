@@ -165,8 +165,8 @@ inline constexpr double l3d_framed_share = 0.85;
 L3D_PUBLIC l3d_camera l3d_framed(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 
 /// Whether a picture of this size shows all of a model well. It does if the model takes 60 % or
-/// more of its width or height, and is not near one border with much room opposite. For a parallel
-/// projection the answer is always no.
+/// more of the picture's width or height, and is not near one border with much room opposite. For a
+/// parallel projection the answer is always no.
 /// Expects: a valid camera.
 L3D_PUBLIC bool l3d_shows_well(const l3d_camera& camera, l3d_size size, const l3d_reach& reach);
 

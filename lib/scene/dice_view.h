@@ -129,8 +129,8 @@ struct l3d_dice_view {
     /// How far strips along these edges may reach beyond the patch. Units: pixels.
     double edge_reach = 0;
 
-    /// How vertices are lit: in mode `levels` they get shade levels, else unit normals, turned to
-    /// the eye if the shading has an eye.
+    /// How vertices are lit. In mode `levels`, vertices get shade levels. Otherwise they get unit
+    /// normals, which are turned to the eye if the shading has an eye.
     l3d_shading shading{.ray = {0, 0, 0}};
 
     bool makes_levels() const { return shading.mode == l3d_shade::levels; }
@@ -235,8 +235,8 @@ struct l3d_dice_view {
 
     /// The walk allowance for vertices that are off by `exact` when they are evaluated. Chords get
     /// what this allowance and `exact` leave of the tolerance. So the allowance is at most an
-    /// eighth of what `exact` leaves. It is zero where chords would get less than a quarter of the
-    /// tolerance.
+    /// eighth of what `exact` leaves. The allowance is zero where chords would get less than a
+    /// quarter of the tolerance.
     double walk_allowance(double exact) const {
         const double left = tolerance - exact;
         return std::max(0.0, std::min(left / 8, left - tolerance / 4));

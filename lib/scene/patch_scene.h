@@ -224,7 +224,7 @@ private:
 /// Models of bicubic patches, placed in the world. Each model may stand at any number of places.
 ///
 /// Patches of one instance meet without a gap where their control points do. Patches of two
-/// instances also meet without a gap if the numbers of both placements are equal.
+/// instances meet without a gap only if, besides, both placements have the same numbers.
 /// Lives: shares the models: a program may forget its own copies.
 /// Cost: the test whether an instance is seen reads 104 bytes. An instance takes some 460 bytes
 ///       more.

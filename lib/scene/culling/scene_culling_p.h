@@ -43,7 +43,7 @@ struct box_placing {
     const l3d_matrix<double>& to_image; ///< from the boxes' space to (x, y, -, w) in view's units
     const placing_terms& terms;
     const l3d_dice_view& view;
-    const l3d_image_box& margin; ///< l3d_dice_view::margin of the part of the picture that matters
+    const l3d_image_box& margin; ///< l3d_dice_view::margin of the wanted part of the picture
 };
 
 /// Finds the places in the picture of the boxes from `first` to first + lanes - 1. Results beyond

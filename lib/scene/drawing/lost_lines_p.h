@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// Adds a note that a file's lines and curves are not drawn, if it has any. The note ends with
-/// "they are ", then `reason`.
+/// Adds a note that a file's lines and curves are not drawn, if the file has any. The note ends
+/// with "they are ", then `reason`.
 inline void note_lost_lines(const l3d_model_file& file, const std::string& name,
                             const std::string& reason, std::vector<std::string>& notes) {
     if (!file.curves.empty())
