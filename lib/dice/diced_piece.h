@@ -25,8 +25,9 @@ struct l3d_dice_vertex {
 /// Units: the patch's parameters; 0 where there is no triangle.
 struct l3d_gap_spans {
     using of_blocks = std::array<double, l3d_block_starts::most_blocks>;
-    std::array<of_blocks, 2> bent{};     ///< for triangles whose shade levels are parabolas
-    std::array<of_blocks, 2> straight{}; ///< for triangles whose shade levels are linear
+    /// The reaches of triangles whose shade levels are parabolas.
+    std::array<of_blocks, 2> bent{};
+    std::array<of_blocks, 2> straight{}; ///< the reaches of triangles whose shade levels are linear
 };
 
 /// The distance of a drawn shape from the exact shape that it stands for, in the picture and in
@@ -54,9 +55,9 @@ struct l3d_diced_piece {
     /// The certified error of places in the grid, in pixels. For triangles, the bound of the whole
     /// frame holds (l3d_dice_counts::bound_px).
     double bound = 0;
-    l3d_drawn_distance strips; ///< the largest distance of visible strips from their edges
+    l3d_drawn_distance strips; ///< the largest distance between a visible strip and its edge
     l3d_gap_spans slits;
-    bool has_levels = false; ///< vertices have shade levels and bends, not normals
+    bool has_levels = false; ///< whether vertices have shade levels and bends in place of normals
 
     /// Whether triangle_uv and border_along are filled in. Pictures on surfaces, inspections and
     /// tests need them.

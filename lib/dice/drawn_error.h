@@ -38,9 +38,9 @@ inline double l3d_power_form_error(double largest) {
 struct l3d_vertex_accuracy {
     double error_xy = 0, error_w = 0; ///< errors of homogeneous coordinates, before the division
     double w_low = 0;                 ///< least w of the exact surface where something is drawn
-    double seen_reach = 0;            ///< largest |x| or |y| of the part that is seen
+    double seen_reach = 0;            ///< largest |x| or |y| of the piece's part that is seen
     double reach = 0;      ///< largest |x| or |y| of the vertices; may lie far outside the window
-    double snap_error = 0; ///< error of a vertex by snapping, in pixels
+    double snap_error = 0; ///< error that snapping adds to a vertex, in pixels
 
     /// The largest ratio of a chord's w to the exact w at the same parameters. `in_front` is for
     /// pieces in front of the near plane, `crossing` for pieces that cross it.

@@ -28,8 +28,8 @@
 
 /// Which dicer gets a patch that both the lane dicer and the general dicer can dice.
 enum class l3d_dice_way {
-    lanes,  ///< l3d_lane_dicer, in SIMD lanes; l3d_patch_dicer takes the rest
-    general ///< l3d_patch_dicer, the lane dicer's slow twin, takes all
+    lanes,  ///< l3d_lane_dicer takes the patch, in SIMD lanes
+    general ///< l3d_patch_dicer takes the patch; it is the lane dicer's slow twin
 };
 
 /// Dices the patches of a frame, batch by batch, into parts for the rasterizer.
@@ -103,7 +103,8 @@ private:
         /// similarity.
         std::optional<l3d_surface_bends> own_bends;
         l3d_trim_cells trims;
-        l3d_grid_trims trims_of_piece; ///< used where a patch has several pieces
+        /// The trims of one piece's grid, for patches of several pieces.
+        l3d_grid_trims trims_of_piece;
         l3d_grid_trims::workshop workshop;
 
         void reserve_as(const worker_space& other) {
@@ -116,7 +117,8 @@ private:
     struct outcome {
         l3d_dice_counts counts;
         std::int64_t cost = 0;
-        bool is_short = false; ///< the tolerance is exceeded, and a larger share would keep it
+        /// Whether the patch exceeds the tolerance, and would keep it with a larger share.
+        bool is_short = false;
     };
 
     /// The batch that is being diced, and its scene.
@@ -158,17 +160,18 @@ private:
     l3d_dice_view view_; ///< the frame's view, with the camera's own near plane
     l3d_dice_counts counts_;
     std::vector<worker_space> each_worker_;
-    std::vector<instance_edges> edges_;           ///< one for each of the scene's instances
-    std::map<const void*, l3d_kept_trims> trims_; ///< one for each model, by its identity
+    std::vector<instance_edges> edges_; ///< edges of each of the scene's instances
+    /// Kept trims of each model, by l3d_patch_model::identity().
+    std::map<const void*, l3d_kept_trims> trims_;
     std::uint64_t frame_ = 0;
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
-    std::vector<l3d_piece_pool> slots_; ///< one for each patch of a batch, or of all batches
+    std::vector<l3d_piece_pool> slots_; ///< pieces of each patch of a batch, or of all batches
     /// The index of the first slot of the last batch, and of the first slot behind the batch.
     std::size_t first_slot_ = 0, next_slot_ = 0;
     std::size_t patches_before_ = 0; ///< patches in the frame's batches before the last one
     bool keeps_batches_ = false;
-    std::vector<outcome> outcomes_;   ///< one for each patch of the last batch
+    std::vector<outcome> outcomes_;   ///< the outcome for each patch of the last batch
     std::vector<std::size_t> wanted_; ///< the slots that are to be diced
     std::int64_t budget_left_ = 0;
     std::vector<const l3d_surface_part*> parts_;

@@ -143,7 +143,8 @@ private:
     void draw_coarsely(const piece& p, std::int64_t samples, std::int64_t cost, task& of);
     void draw(const piece& p, const planned& how, task& of);
 
-    std::vector<waiting> waiting_; ///< a heap: the piece with the largest excess on top
+    /// The waiting pieces as a heap, the piece with the largest excess on top.
+    std::vector<waiting> waiting_;
     l3d_grid_builder<T> drawer_;
 };
 

@@ -101,7 +101,8 @@ struct steps_along {
 /// The steps along both directions in the blocks of one strip, from some block on, a block a lane.
 /// The strip's own steps are the same in all its blocks.
 struct strip_numbers {
-    lane_vec step, bend, moved; ///< steps across the strip's direction, a block a lane
+    /// The members of steps_along for the steps across the strip's direction, a block a lane.
+    lane_vec step, bend, moved;
     lane_vec own_step, own_bend, own_moved;
 };
 

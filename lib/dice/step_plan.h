@@ -53,7 +53,7 @@ enum class l3d_quad_kind {
     convex, ///< as `whole`, but plans leave out the error of folded quads, which the caller adds
     whole, ///< convex quads are drawn whole, folded quads as fans; only for pieces without clipping
     trimmed,   ///< as `whole`, but trims cut some quads into triangles
-    triangles, ///< each quad is drawn as two triangles, clipped
+    triangles, ///< each quad is drawn as two triangles, which are clipped
 };
 
 /// The kind of quads in pieces that need no clipping. It is `trimmed` if the view's patch has trims
@@ -71,7 +71,7 @@ struct l3d_block_needs {
 
     int strips = 1;
     bool visible = false;       ///< whether any block is visible
-    bool keeps_depth = false;   ///< whether the depth arrays count
+    bool keeps_depth = false;   ///< whether the arrays depth_uu, depth_uv and depth_vv count
     per_block uu{}, uv{}, vv{}; ///< l3d_second_bounds of the image, in pixels
     /// The second bounds of w, in units of l3d_dice_view::depth_budget.
     per_block depth_uu{}, depth_uv{}, depth_vv{};

@@ -18,7 +18,7 @@
 
 /// The largest errors that cutting along trims adds to a piece (l3d_trim_cells).
 struct l3d_trim_error {
-    double places_px = 0; ///< error of places, and of depth along the normal
+    double places_px = 0; ///< error of places in the picture, and of depth along the normal
     double normals = 0;   ///< error of interpolated normals, where vertices have normals
     double levels = 0;    ///< error of shade levels, where vertices have levels
 

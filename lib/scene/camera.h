@@ -33,9 +33,9 @@ inline constexpr double l3d_least_up_sine = 1e-6;
 struct L3D_PUBLIC l3d_upright {
     /// A direction in the world.
     using vector = l3d_vector<double, 3>;
-    vector right, ///< to the right hand of a person who looks at the model's front
+    vector right, ///< the direction to the right of a person who looks at the model's front
         up,       ///< above the model
-        front;    ///< from the model to that person
+        front;    ///< the direction from the model to this person
 
     /// Makes the directions from the model's upward one, `upwards`.
     /// Expects: a finite vector of any length but zero.
@@ -49,7 +49,7 @@ struct L3D_PUBLIC l3d_upright {
 
 /// The kind of projection.
 enum class L3D_PUBLIC l3d_projection {
-    perspective, ///< things twice as far are half as large
+    perspective, ///< things twice as far away look half as large
     /// Things look as large as in perspective at the target; nothing is behind the eye.
     parallel,
 };

@@ -30,7 +30,7 @@ struct L3D_PUBLIC l3d_seen_counts {
 /// A patch of a scene, with the bound of the patch's error. It serves to report the least exact
 /// patch of a frame.
 struct L3D_PUBLIC l3d_coarse_patch {
-    double bound_px = 0; ///< the largest error of its places, in pixels
+    double bound_px = 0; ///< bound of the patch's error of places, in pixels
     /// The instance's index in the scene, and the patch's index in the instance's model.
     std::int64_t instance = 0, patch = 0;
 

@@ -109,13 +109,13 @@ struct l3d_dice_view {
     /// of the eye's place are included. Rounding errors are in proportion to this sum. 0 says that
     /// it is unknown; of_share() then cannot reduce errors.
     double terms = 0;
-    double eye_terms = 0; ///< the eye's part of terms
+    double eye_terms = 0; ///< the part of `terms` that comes from the eye's place
     /// The w of the camera's near plane. Errors of w may push the plane farther away, to `near`. 0
     /// stands for the same w as `near`.
     double camera_near = 0;
     l3d_culling_switches keep;
     std::int64_t most_samples = 0; ///< the frame's budget of samples; 0: l3d_usual_samples
-    bool one_sided = false;        ///< the back of dS/du x dS/dv is not shown
+    bool one_sided = false;        ///< whether the side opposite to dS/du x dS/dv is not shown
     l3d_image_section section;     ///< the plane that cuts the scene open
 
     /// A bit for each block in which the diced patch may fold over, as seen from the eye. The bit's

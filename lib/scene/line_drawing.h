@@ -24,7 +24,7 @@ enum class L3D_PUBLIC l3d_line_kind {
 /// A vertex of a drawn line, in the picture.
 struct L3D_PUBLIC l3d_drawn_place {
     double x = 0;     ///< pixels from the picture's left border
-    double y = 0;     ///< pixels from the upper border
+    double y = 0;     ///< pixels from the picture's upper border
     double depth = 0; ///< distance along the view axis, in world units
 
     friend bool operator==(const l3d_drawn_place&, const l3d_drawn_place&) = default;
@@ -32,9 +32,10 @@ struct L3D_PUBLIC l3d_drawn_place {
 
 /// A stretch of a line that is wholly seen, or wholly hidden.
 struct L3D_PUBLIC l3d_drawn_line {
-    l3d_line_kind kind = l3d_line_kind::contour; ///< why there is a line
-    bool is_seen = true;                         ///< whether no surface lies in front of it
-    std::size_t instance = 0;                    ///< the instance's index in the scene
+    l3d_line_kind kind = l3d_line_kind::contour; ///< the reason for the line
+    /// Whether no surface lies in front of the stretch.
+    bool is_seen = true;
+    std::size_t instance = 0; ///< the instance's index in the scene
     /// The model's pieces that the stretch runs on or between, each once.
     std::vector<std::size_t> pieces{};
     /// The vertices of the stretch, at least two. A closed line ends where it begins.
@@ -63,7 +64,7 @@ struct L3D_PUBLIC l3d_line_settings {
 struct L3D_PUBLIC l3d_line_drawing {
     l3d_size size{};                     ///< size of the picture
     double bound = 0;                    ///< largest distance from the exact lines in the picture
-    std::vector<l3d_drawn_line> lines{}; ///< sorted by instances, then by kinds
+    std::vector<l3d_drawn_line> lines{}; ///< the lines, sorted by instances, then by kinds
 };
 
 /// Draws the contours, creases and borders of all instances that are not invisible. All surfaces
@@ -80,7 +81,8 @@ L3D_PUBLIC l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l
 
 /// The look of an SVG file.
 struct L3D_PUBLIC l3d_svg_look {
-    std::string title{};       ///< the title for people and programs that read it aloud
+    /// The picture's title, which viewers show and screen readers read aloud.
+    std::string title{};
     double seen_width = 1.5;   ///< width of seen lines, in pixels
     double hidden_width = 0.6; ///< width of hidden lines, in pixels
 };

@@ -40,8 +40,10 @@ struct l3d_patch_points;
 ///
 /// Shape: edges in the order v = 0, v = 1, u = 0, u = 1.
 struct L3D_PUBLIC l3d_patch_reach {
-    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};   ///< for all 16 control points, for x, y and z
-    std::array<l3d_vector<double, 3>, 4> edges{}; ///< for the four control points of each edge
+    /// Magnitudes of x, y and z among all 16 control points.
+    l3d_vector<double, 3> whole{0.0, 0.0, 0.0};
+    /// Magnitudes among the four control points of each edge.
+    std::array<l3d_vector<double, 3>, 4> edges{};
 };
 
 /// An edge whose distance from its faces exceeds the file's tolerance.
@@ -360,7 +362,8 @@ private:
     l3d_patch_model chosen(const std::vector<bool>& is_chosen) const;
     std::vector<l3d_material> piece_materials() const;
 
-    std::shared_ptr<const std::vector<std::uint32_t>> faces_; ///< null without numbers
+    /// The pieces' face numbers; null if the file has none.
+    std::shared_ptr<const std::vector<std::uint32_t>> faces_;
     struct stated;
     std::shared_ptr<const stated> stated_;   ///< null if no errors are stated
     std::shared_ptr<const paint> paint_;     ///< null if all materials are plain

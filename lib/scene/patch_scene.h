@@ -72,7 +72,7 @@ struct L3D_PUBLIC l3d_slanted_box {
     l3d_vector<double, 3> centre{0.0, 0.0, 0.0}; ///< the middle, in world units
     /// Vectors from the middle to the middles of three sides that meet.
     std::array<l3d_vector<double, 3>, 3> axes{};
-    double reach = 0; ///< l3d_patch_instance::reach() of points inside; 0: unknown
+    double reach = 0; ///< l3d_patch_instance::reach() of points in the box; 0 if unknown
 };
 
 /// A list of boxes for SIMD code: each lane takes one box.
@@ -397,7 +397,7 @@ private:
     std::int64_t patch_count_ = 0;
     std::size_t transparent_count_ = 0, curved_count_ = 0;
     l3d_box_lanes boxes_;
-    mutable whole extent_; ///< extent of the first extent_count_ instances
+    mutable whole extent_; ///< box and reach of the first extent_count_ instances
     mutable std::size_t extent_count_ = 0;
     mutable std::vector<l3d_material> materials_;
     /// For each instance, the index in materials_ of the first of its model's materials.

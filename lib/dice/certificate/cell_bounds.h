@@ -55,7 +55,7 @@ public:
         l3d_image_box part; ///< the part of the piece's box that lies in the cell
         double u0, u1, v0, v1;
         const l3d_doubt_patch* of;
-        unsigned sides; ///< a bit for each side of its patch that the piece reaches
+        unsigned sides; ///< a bit for each side of the patch that the piece reaches
         int facing;
         std::uint32_t index; ///< the piece's index in `leaves`
         /// A bit for each corner of the cell at which the piece may have any light.
@@ -87,11 +87,11 @@ private:
     static constexpr std::size_t nowhere = std::numeric_limits<std::size_t>::max();
 
     std::vector<const l3d_doubt_leaf*> pieces_;
-    std::vector<member> members_; ///< members for pieces_, in order
+    std::vector<member> members_; ///< one member for each of pieces_, in the same order
     /// Sets of members, one for each sheet; the sets' directions are not used.
     l3d_detail::directed_sets joined_;
     std::vector<sheet> sheets_;  ///< one for each member; valid only for the roots of sheets
-    std::size_t only_ = nowhere; ///< the root of the sheet that is seen alone
+    std::size_t only_ = nowhere; ///< the root of the only sheet that is seen in the cell
     bool is_hopeless_ = false;
 };
 

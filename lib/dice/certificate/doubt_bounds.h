@@ -34,7 +34,7 @@ struct l3d_doubt_lamp {
 /// The lights and the fog of the exact picture, by the rules of l3d_lighting and l3d_fog.
 struct l3d_doubt_lighting {
     l3d_light_color ambient{};
-    std::vector<l3d_doubt_lamp> lamps; ///< at most l3d_lighting::most_further + 1
+    std::vector<l3d_doubt_lamp> lamps; ///< the lamps, at most l3d_lighting::most_further + 1
     l3d_fog fog;
     /// How much w grows for each unit of distance along the view axis.
     double depth_scale = 1;
@@ -165,7 +165,9 @@ struct l3d_doubt_bounds {
     /// 1/2. Shape: du/dx, du/dy, dv/dx, dv/dy.
     std::array<double, 4> parameters{};
     double u_off = 0, v_off = 0; ///< largest errors of the map `parameters`; infinite if unknown
-    double picture_off = 0;      ///< largest distance of the piece's picture from a linear one
+    /// Largest distance of the piece's picture from the parallelogram of the map `parameters`, in
+    /// pixels.
+    double picture_off = 0;
     /// The part of picture_off that comes from the error of points. Halving the piece does not make
     /// this part smaller.
     double point_off = 0;

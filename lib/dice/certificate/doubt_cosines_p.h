@@ -44,7 +44,7 @@ struct seen_normals {
 
     vector axis{0.0, 0.0, 0.0};
     std::array<double, count> along; ///< each coefficient's part along the axis
-    double most_along = 0;           ///< largest |along|
+    double most_along = 0;           ///< the largest magnitude in `along`
     double most_across = 0, longest = 0;
     /// The largest ratio of a part across to the part along; infinite if any coefficient is far
     /// from the axis.

@@ -68,7 +68,7 @@ private:
     const l3d_doubt_leaf* best_ = nullptr;
     const l3d_doubt_leaf* first_ = nullptr; ///< the leaf added last
     bool is_one_look_ = true, is_known_ = true;
-    l3d_light_bounds light_; ///< light of all pieces added
+    l3d_light_bounds light_; ///< bounds of the light of all pieces that were added
     /// The ranges of all pieces' lines, and of their differences from the best known piece's lines.
     light_ranges ranges_, beside_;
 };

@@ -59,8 +59,9 @@ private:
     struct cell {
         int column = 0, row = 0;
         bool of_light = true, of_drawing = true;
-        l3d_light_bounds light{};       ///< the cell's part of the pixel's `light`
-        double unsure = 0, covered = 0; ///< the cell's parts of l3d_doubt_pixel
+        l3d_light_bounds light{}; ///< the light that the cell adds to its pixel's `light`
+        /// The parts that the cell adds to these members of its l3d_doubt_pixel.
+        double unsure = 0, covered = 0;
     };
 
     l3d_image_box box_of(const cell& c) const;
@@ -86,9 +87,9 @@ private:
     double grown_ = 0;
     bool judges_drawing_ = false;
     int finest_drawing_ = 0;
-    int fineness_ = 0; ///< cells are 2^-fineness pixels wide
+    int fineness_ = 0; ///< cells are now 2^-fineness_ pixels wide
     bool is_too_much_ = false;
-    double areas_left_out_ = 0; ///< area of pieces whose light is not counted
+    double areas_left_out_ = 0; ///< the total area of pieces whose light is left out
     std::int64_t cuts_ = 0;
     std::vector<cell> cells_;
     /// For each place of a cell: the index of its cell in cells_, or -1.

@@ -23,7 +23,8 @@ struct l3d_doubted_frame {
     const l3d_patch_scene& scene;
     const l3d_matrix<double>& to_image; ///< maps the world to the view's units
     const l3d_dice_view& view;
-    l3d_vector<double, 3> light; ///< towards the light, in the world; any length
+    /// The direction towards the light, in the world; any length but 0.
+    l3d_vector<double, 3> light;
     /// Error bounds of places and of depth; infinite if the frame has no such bound. Units: pixels.
     double bound_px, depth_bound_px;
     l3d_curved_error curved{}; ///< how far patches of curved models are off their surfaces
@@ -80,11 +81,13 @@ private:
     /// transparent instance may be there, or not.
     struct pixel {
         l3d_light_bounds light;
-        double unsure = 0, unsure_drawn = 0, covered = 0; ///< the largest parts over all choices
+        /// The largest members of l3d_doubt_pixel over all choices.
+        double unsure = 0, unsure_drawn = 0, covered = 0;
     };
     struct tile_result {
         double coverage = 0, color = 0;
-        bool has_unsure = false, has_covered = false; ///< kinds of pixels in the tile
+        /// Whether the tile has pixels with unsure or with covered parts.
+        bool has_unsure = false, has_covered = false;
     };
 
     void place(const l3d_doubted_frame& frame);
@@ -95,9 +98,10 @@ private:
                    tile_result& result);
 
     l3d_doubt_view view_;
-    std::map<const void*, l3d_side_pairs> sides_; ///< sides of the frame's models, by identity
+    /// Sides of the frame's models, by l3d_patch_model::identity().
+    std::map<const void*, l3d_side_pairs> sides_;
     std::vector<placed> patches_;
-    std::vector<l3d_doubt_tile> tiles_; ///< one for each worker
+    std::vector<l3d_doubt_tile> tiles_; ///< working memory, one tile for each worker
     l3d_error_map map_, coverage_;
     bool is_searched_ = false; ///< whether coverage() was searched; if not, it is 1 everywhere
     double coverage_bound_ = 0, color_bound_ = 0;

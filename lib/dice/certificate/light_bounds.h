@@ -69,8 +69,10 @@ struct l3d_light_bounds {
 
 /// The verdict on a cell of the exact picture: what is certain in it, and bounds of its light.
 struct l3d_doubt_verdict {
-    bool is_certain = false; ///< one surface of one colour, or the background, fills the cell
-    bool is_covered = false; ///< a surface of one colour, not the background, fills the cell
+    /// Whether one surface of one colour, or the background, fills the cell.
+    bool is_certain = false;
+    /// Whether a surface of one colour, not the background, fills the cell.
+    bool is_covered = false;
     l3d_light_bounds light = l3d_light_bounds::any(); ///< bounds of the mean light over the cell
     double spread = 0; ///< how uncertain the light is, in levels of 255
 };

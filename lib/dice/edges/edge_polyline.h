@@ -108,7 +108,8 @@ private:
     void reverse();
 
     std::size_t size_ = 0;
-    std::vector<double> t_; ///< t_, x_, y_ and inv_w_ may be longer than size_
+    /// The parameters; arrays t_, x_, y_ and inv_w_ may have more than size_ numbers.
+    std::vector<double> t_;
     std::vector<std::int32_t> x_, y_;
     std::vector<float> inv_w_;
 

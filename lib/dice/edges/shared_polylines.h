@@ -30,9 +30,9 @@ struct l3d_strip_corner {
 /// Shape: points in order of rising t; chord i ends at point i.
 /// Cost:  kept for its memory.
 struct l3d_shared_polyline {
-    std::vector<double> t; ///< the edge's parameters
+    std::vector<double> t; ///< the edge's parameter at each point
     std::vector<l3d_clip_vertex> points;
-    std::vector<l3d_strip_corner> corners; ///< the same points, for measuring strips
+    std::vector<l3d_strip_corner> corners; ///< the polyline's points, for measuring strips
     /// How far the edge may be off each chord; infinite if unknown.
     std::vector<l3d_drawn_distance> chords;
     double off_px = 0; ///< how far the edge is off its faces where it may be seen
@@ -57,7 +57,7 @@ inline double l3d_shared_chord_error(const l3d_dice_view& view) {
 /// the light of the face.
 struct l3d_border_point {
     l3d_clip_vertex at;
-    double t = 0; ///< the parameter of the point beside it on the edge
+    double t = 0; ///< the edge's parameter at the place beside this point
 };
 
 /// Makes a border point of a drawable vertex. `t` is its parameter on the edge.

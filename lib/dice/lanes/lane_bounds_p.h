@@ -18,7 +18,7 @@ namespace l3d_detail {
 struct centred_net {
     alignas(64) double points[3][16];
     std::int32_t x = 0, y = 0; ///< X and Y: whole pixels from the picture's centre
-    double largest_xy = 0;     ///< largest |x'|, |y'| of the points
+    double largest_xy = 0;     ///< largest |x'| or |y'| of the control points
 };
 
 /// The facts about a patch from which l3d_lane_dicer chooses steps and bounds errors of vertices.
@@ -30,7 +30,8 @@ struct lane_bounds {
     l3d_image_box hull, seen;
     double least_w = 0, most_w = 0;
     centred_net net;
-    l3d_block_needs needs; ///< needs of one block or of sixteen (l3d_is_one_block)
+    /// The needs of the net's one block or sixteen blocks (l3d_is_one_block).
+    l3d_block_needs needs;
 };
 
 /// Finds the needs of a patch, with its blocks in lanes. The slow twin is l3d_needs_of. The needs

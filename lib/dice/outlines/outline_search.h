@@ -23,7 +23,8 @@ struct l3d_outline_reach {
     double focal; ///< length in pixels of a unit at distance 1
     /// In a parallel projection, how much depth changes over a pixel's width; 0 in perspective.
     double depth_by_pixel;
-    double places, depth; ///< error bounds in the picture and along the normal, in pixels
+    /// Error bounds of places in the picture, and of depth along the normal, in pixels.
+    double places, depth;
     double farthest_near; ///< the largest w of any patch's near plane
 };
 
@@ -62,7 +63,7 @@ private:
 
     /// A part of a patch, and the kinds of outlines that it may still have.
     struct piece : l3d_exact_part {
-        l3d_bezier_patch<double, 3> patch; ///< the patch, with the eye as origin
+        l3d_bezier_patch<double, 3> patch; ///< the whole patch, with the eye as origin
         unsigned sides = 0;
         bool may_fold = true;
     };

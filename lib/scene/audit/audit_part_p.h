@@ -70,7 +70,7 @@ struct patch_sheet {
     const bent_patch* patch;
     std::uint32_t index; ///< the number of the patch
     bool is_whole = false;
-    patch_place least{0, 0}, most{1, 1}; ///< corners of the rectangle
+    patch_place least{0, 0}, most{1, 1}; ///< two opposite corners of the rectangle
 };
 
 /// The unit of an audit's search. It is a triangle of a mesh, or the part of a patch over a
@@ -102,7 +102,7 @@ struct audit_part {
     double size() const;
 
     flat_triangle flat;
-    std::array<place, 3> at{};          ///< parameters of the corners
+    std::array<place, 3> at{};          ///< parameters of the corners, for a part of a patch
     const patch_sheet* sheet = nullptr; ///< the sheet of the patch; null for a triangle of a mesh
     double off = 0;
     std::uint32_t index = 0; ///< the number of the triangle or patch

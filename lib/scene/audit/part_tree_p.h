@@ -46,9 +46,9 @@ public:
 
     /// The result of a search: the part that is nearest to some places, and bounds of its distance.
     struct found {
-        double least = 0; ///< from every part, at least one of the places is this far or farther
-        double most = 0;  ///< all of the places are at most this far from `part`
-        std::optional<audit_part> part; ///< the part; nothing if no part was near enough
+        double least = 0; ///< lower bound: every part is at least this far from one of the places
+        double most = 0;  ///< upper bound: no place is farther than this from `part`
+        std::optional<audit_part> part; ///< the nearest part; nothing if no part was near enough
     };
 
     /// The conditions under which a search ends.

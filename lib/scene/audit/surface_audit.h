@@ -15,8 +15,8 @@
 /// The largest distance from the places of a mesh to a surface, or from the places of a surface to
 /// a mesh. It has proven bounds, and an example of a place that is about as far away.
 struct L3D_PUBLIC l3d_audited_way {
-    double least = 0; ///< the distance at `place` is at least this
-    double most = 0;  ///< the distance is nowhere larger than this
+    double least = 0; ///< lower bound of the distance at `place`, and so of the largest distance
+    double most = 0;  ///< upper bound of the distance at all places
     /// The example: a place whose distance is at least `least`. It is on the mesh, or on the
     /// surface up to the error of its patches.
     l3d_vector<double, 3> place{0.0, 0.0, 0.0};

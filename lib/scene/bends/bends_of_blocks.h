@@ -34,7 +34,7 @@ private:
 
     struct part {
         std::size_t group, lane, block;
-        int halvings; ///< how often the block's sides were halved
+        int halvings; ///< how often the block's sides were halved to make the part
         double looseness;
     };
 

@@ -23,8 +23,8 @@ struct placing_terms;
 
 /// A patch of an instance that may be seen.
 struct l3d_placed_patch {
-    std::uint32_t instance = 0; ///< index in the scene
-    std::uint32_t patch = 0;    ///< index in the instance's model
+    std::uint32_t instance = 0; ///< the instance's index in the scene
+    std::uint32_t patch = 0;    ///< the patch's index in the instance's model
     std::uint32_t matrix = 0;   ///< index of the instance's matrix in l3d_scene_culling
     /// The least w of the patch's box, or the near plane's w if that is larger, in the view's
     /// units. In a parallel projection, w is counted from a value below which nothing lies.
@@ -134,10 +134,11 @@ private:
     std::vector<ticket> instance_line_; ///< tickets of unopened instances, the farthest first
     std::vector<seen_patch> patches_;   ///< patches of the instances that were opened
     std::vector<ticket> patch_line_;
-    std::size_t sorted_ = 0; ///< how many at the end of patch_line_ are sorted, the nearest last
+    /// The number of tickets at the end of patch_line_ that are sorted, the nearest last.
+    std::size_t sorted_ = 0;
     std::vector<l3d_matrix<double>> matrices_;
     std::vector<l3d_placed_patch> batch_;
-    std::int64_t left_ = 0; ///< patches not yet handed out or left out
+    std::int64_t left_ = 0; ///< the number of patches not yet handed out or left out
     std::size_t batch_size_ = 0;
 };
 

@@ -25,7 +25,7 @@ struct placing_terms {
 struct culled_boxes {
     using row = std::array<double, l3d_box_lanes::lanes>;
 
-    row least, most; ///< bounds of w
+    row least, most; ///< bounds of the w of each box
     row inside;      ///< below 0 if the box is wholly beyond one side of the margin
     row share;       ///< share of the view's errors: l3d_dice_view::share_of
     row near;        ///< the w of the near plane for this share of the errors

@@ -16,7 +16,7 @@ namespace l3d_detail {
 /// An edge of a model, placed in the picture.
 struct image_edge {
     struct span {
-        double from, to;   ///< parameters of the edge
+        double from, to;   ///< the edge's parameters at the ends of the span
         bernstein_net net; ///< the curve in the picture: n = 0, 4 dims, as drawing_view::placed
     };
     std::vector<span> spans;
@@ -87,7 +87,7 @@ private:
     std::span<const image_edge> edges_;
     const drawing_view& view_;
     double tolerance_;
-    std::vector<std::vector<edge_use>> uses_;   ///< the uses of each edge
+    std::vector<std::vector<edge_use>> uses_;   ///< for each edge, the uses of it by pieces
     std::vector<std::vector<double>> contours_; ///< for each edge, parameters at which contours end
 };
 

@@ -128,7 +128,7 @@ struct image_piece {
     bernstein_net contour;
     bernstein_net world;    ///< the surface in the world: x w, y w, z w, w
     l3d_trim_region region; ///< the part of the piece that trims leave; empty without trims
-    region_rows rows;       ///< the region again, in rows
+    region_rows rows;       ///< the same region, as rows for many calls of contains()
     std::size_t instance = 0, number = 0;
     std::size_t first_edge = 0; ///< the index in the drawing of the first edge of the piece's model
     bool is_trimmed = false;
@@ -157,7 +157,8 @@ bool is_beside(const bernstein_net& net, const drawing_view& view);
 
 /// A parallelogram in the picture that approximates a net, with a bound of its error.
 struct flat_image {
-    image_place middle, along_u, along_v; ///< the parallelogram's middle and its sides
+    /// The parallelogram's middle and its two sides as vectors.
+    image_place middle, along_u, along_v;
     double error = 0; ///< bound of the net's distance from the parallelogram, in pixels
 
     explicit flat_image(const bernstein_net& net);

@@ -26,7 +26,7 @@
 /// The errors that a picture allows for the cells of curved pieces. Cells are wanted that are fine
 /// enough to keep these errors.
 struct l3d_cell_wish {
-    double places = 0; ///< error of places that is always allowed, in the pieces' unit
+    double places = 0; ///< error of places that is allowed at any depth, in the pieces' unit
     int normals = 0;   ///< the level of normals (l3d_patch_model::at_level)
     /// The region that is seen. Without a region, all cells count as seen.
     std::optional<l3d_seen_region> region{};
@@ -142,9 +142,11 @@ public:
     /// The cells between some cuts, as patches with bounds of their errors.
     struct cells {
         std::vector<patch> patches;
-        std::vector<l3d_normal_net> normals;     ///< normals of the piece itself, for each patch
-        std::vector<l3d_parameter_range> ranges; ///< the part of its piece, for each patch
-        std::vector<std::uint32_t> pieces;       ///< the index of each patch's piece
+        /// For each patch, the normals of the piece itself.
+        std::vector<l3d_normal_net> normals;
+        /// For each patch, the part of its piece that it covers.
+        std::vector<l3d_parameter_range> ranges;
+        std::vector<std::uint32_t> pieces; ///< the index of each patch's piece
         /// The region of each patch that trims leave, in parameters from 0 to 1. A region is empty
         /// where all of the patch remains.
         std::vector<l3d_trim_region> trims;

@@ -49,8 +49,9 @@ public:
 private:
     /// A linear function of a place: the factors of x, y, z and 1.
     using sum = std::array<double, 4>;
-    std::array<sum, 4> sides_{}; ///< one for each side, not negative in the region
-    sum depth_{};                ///< nowhere larger than the depth of a place in the region
+    std::array<sum, 4> sides_{}; ///< a function for each side, which is not negative in the region
+    /// A function that is nowhere larger than the depth of a place in the region.
+    sum depth_{};
 };
 
 #endif

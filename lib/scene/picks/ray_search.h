@@ -18,7 +18,7 @@ using l3d_ray_net = l3d_image_net;
 /// A place where the ray meets a patch.
 struct l3d_ray_hit {
     std::size_t patch = 0; ///< the number that the patch got in add()
-    double u = 0, v = 0;   ///< the parameters, from 0 to 1
+    double u = 0, v = 0;   ///< the patch's parameters at the hit, from 0 to 1
     double u_error = 0, v_error = 0;
     double depth = 0;
     bool is_proven = false; ///< whether Krawczyk's operator proves the hit

@@ -20,7 +20,8 @@ struct l3d_surface_jet {
     vector point;
     /// The unit normal along dS/du x dS/dv; nothing if that may vanish.
     std::optional<vector> normal;
-    l3d_interval gaussian, mean; ///< curvatures; meaningful if there is a normal
+    /// Bounds of the Gaussian and the mean curvature; meaningful if there is a normal.
+    l3d_interval gaussian, mean;
 
     /// A point and the derivatives there, each with its error.
     struct derivatives {

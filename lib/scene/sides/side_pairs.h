@@ -24,9 +24,9 @@ public:
     enum class kind : unsigned char {
         open,   ///< the surface ends at the side
         point,  ///< the side is a point, around which the surface goes on
-        paired, ///< one other side has the same control points
-        halved, ///< sides of two patches have the control points of its halves
-        half    ///< a half of one other side has the same control points
+        paired, ///< one other side has the side's control points
+        halved, ///< two other sides have the control points of the side's halves
+        half    ///< a half of one other side has the side's control points
     };
 
     /// The neighbour of a side.
