@@ -60,7 +60,7 @@ struct l3d_diced_piece {
     bool has_levels = false; ///< whether vertices have shade levels and bends in place of normals
 
     /// Whether triangle_uv and border_along are filled in. Pictures on surfaces, inspections and
-    /// tests need them.
+    /// tests need both.
     bool keep_parameters = false;
     std::array<std::vector<parameters>, 3> triangle_uv;
     /// The two ends of each edge of the part's border, as parameters along the side of the grid

@@ -71,8 +71,8 @@ public:
                                                   const l3d_scene_culling& culling,
                                                   std::span<const l3d_placed_patch> batch);
 
-    /// The pieces of patch i of the last batch. They have the parameters of all vertices if the
-    /// dicer keeps parameters.
+    /// The pieces of patch i of the last batch. The pieces have the parameters of all vertices if
+    /// the dicer keeps parameters.
     std::span<const l3d_diced_piece> pieces(std::size_t i) const {
         return slots_[first_slot_ + i].used();
     }
@@ -146,8 +146,8 @@ private:
     void dice_patch(const l3d_image_patch& net, const l3d_normal_net& normals, unsigned backs,
                     l3d_piece_pool& out, l3d_dice_budget& budget, worker_space& space) const;
 
-    /// The polylines of an instance's edges. They are made when the first patch of the instance
-    /// that follows an edge is diced.
+    /// The polylines of an instance's edges. The polylines are made when the first of the
+    /// instance's patches that follow edges is diced.
     struct instance_edges {
         bool is_made = false;
         std::vector<l3d_shared_polyline> lines;

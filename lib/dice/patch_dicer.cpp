@@ -106,8 +106,8 @@ bool l3d_patch_dicer<T>::fits(const l3d_step_plan& plan, bool in_lanes, const ta
     return samples_of(plan) <= of.samples_left && cost_of(plan, in_lanes) <= of.budget.left - kept;
 }
 
-/// Lets a piece wait. It will be cut if its excess is above 1. Otherwise it is drawn after all
-/// cuts.
+/// Lets a piece wait. A waiting piece is cut if its excess is above 1. Otherwise it is drawn after
+/// all cuts.
 template <class T>
 void l3d_patch_dicer<T>::wait(const piece& p, const l3d_step_plan& plan, double excess) {
     waiting_.push_back({p, p.depth < deepest ? excess : 0, plan.most_u() >= plan.most_v()});

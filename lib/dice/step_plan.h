@@ -21,9 +21,9 @@ inline constexpr int l3d_most_steps_of_one_block = 3;
 /// Units: pixels.
 inline constexpr double l3d_largest_one_block = 96;
 
-/// Whether a net is diced as one block. It is one block if it is small (l3d_is_small), or so flat
-/// that three steps in each direction keep the tolerances of places and depth. Any other net is
-/// diced as 4 x 4 blocks, whose vertices are balanced.
+/// Whether a net is diced as one block. A net is one block if it is small (l3d_is_small), or so
+/// flat that three steps in each direction keep the tolerances of places and depth. Any other net
+/// is diced as 4 x 4 blocks, whose vertices are balanced.
 ///
 /// No proof relies on the choice, as each way has its own bounds.
 /// Expects: every w > 0; `hull` is the net's box.
@@ -36,9 +36,9 @@ bool l3d_is_one_block(const l3d_image_patch& net, const l3d_image_box& hull,
 bool l3d_is_one_strip(const l3d_image_curve& edge, const l3d_image_box& hull,
                       const l3d_dice_view& view);
 
-/// How much a net bends, as seen from the eye. These are the largest second differences of its
-/// control points along u and along v, and the largest mixed difference. Where depth is kept, a
-/// length along the line of sight counts like one across it.
+/// How much a net bends, as seen from the eye. The members are the largest second differences of
+/// the net's control points along u and along v, and the largest mixed difference. Where depth is
+/// kept, a length along the line of sight counts like one across it.
 struct l3d_net_bends {
     double uu = 0, vv = 0, uv = 0, least_w = 0;
 };
@@ -80,8 +80,8 @@ struct l3d_block_needs {
     /// Whether vertices inside strips are balanced (l3d_balance). They are balanced in nets of
     /// sixteen blocks that are drawn without clipping.
     bool balanced = false;
-    /// Bounds of the mixed third and fourth derivatives, for errors of balanced vertices. They hold
-    /// for every block. Units: pixels.
+    /// Bounds of the mixed third and fourth derivatives, for errors of balanced vertices. The
+    /// bounds hold for every block. Units: pixels.
     double uuv = 0, uvv = 0, uuvv = 0;
 
     /// Bounds of derivatives along the unit normal by a block's own parameters (l3d_bend_numbers),

@@ -21,8 +21,8 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The limit of steps in a strip. It keeps numbers of steps finite in hopeless cases, where they
-/// still tell which direction needs more steps.
+/// The limit of steps in a strip. The limit keeps numbers of steps finite in hopeless cases. Even
+/// there, the numbers tell which direction needs more steps.
 constexpr int most_steps = 1 << 28;
 
 /// The share of the corners' mixed difference by which a folded quad, drawn as a fan of four

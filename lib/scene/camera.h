@@ -27,7 +27,8 @@ inline constexpr double l3d_farthest_eye = 1e15;
 inline constexpr double l3d_least_up_sine = 1e-6;
 
 /// The directions right, up and front of a model, made of its upward direction. Views such as "from
-/// the front" are named by them. Front is the z axis, or -y if z is up, as in many files.
+/// the front" are named by these directions. Front is the z axis, or -y if z is up, as in many
+/// files.
 ///
 /// Shape:   three perpendicular unit vectors; right x up = front.
 struct L3D_PUBLIC l3d_upright {
@@ -88,8 +89,8 @@ struct L3D_PUBLIC l3d_camera {
 
     /// The error message for an invalid camera, naming the value at fault; "" if it is valid. A
     /// valid camera has finite numbers, the eye within l3d_farthest_eye, the target within 1e12 and
-    /// not at the eye, and up_sine() at least l3d_least_up_sine. It has 0 < fov < 180 and
-    /// l3d_least_distance <= near_z < far_z.
+    /// not at the eye, and up_sine() at least l3d_least_up_sine. Such a camera also has 0 < fov <
+    /// 180 and l3d_least_distance <= near_z < far_z.
     std::string complaint() const;
 
     /// Whether complaint() is empty.
@@ -153,9 +154,9 @@ L3D_PUBLIC l3d_reach l3d_reach_of(const l3d_patch_scene& scene);
 /// turn the model.
 inline constexpr double l3d_framed_share = 0.85;
 
-/// The camera that shows all of a model in a picture of this size. It keeps the line of sight's
-/// direction, `up` and `fov`. The model fills l3d_framed_share of the picture's width or of its
-/// height, and at most this share of the other side. The target is in the middle of the model's
+/// The camera that shows all of a model in a picture of this size. The result keeps the line of
+/// sight's direction, `up` and `fov`. The model fills l3d_framed_share of the picture's width or of
+/// its height, and at most this share of the other side. The target is in the middle of the model's
 /// depth. `near_z` becomes smaller if it would cut the model.
 ///
 /// In a parallel projection, the eye's distance from the target sets the scale.

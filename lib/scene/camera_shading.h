@@ -14,9 +14,9 @@ struct l3d_frame_lights {
     l3d_lighting lighting;    ///< the first light's colour, and further lights
 };
 
-/// A frame's lights for a single lamp that moves with the eye. It shines over the viewer's right
-/// shoulder, as l3d_usual_light does in the programs' first view of the teapot. The ambient light
-/// and the lamp's colour are those of `lighting`.
+/// A frame's lights for a single lamp that moves with the eye. The lamp shines over the viewer's
+/// right shoulder, as l3d_usual_light does in the programs' first view of the teapot. The ambient
+/// light and the lamp's colour are those of `lighting`.
 /// Expects: camera.is_valid().
 l3d_frame_lights l3d_headlight(const l3d_camera& camera, const l3d_lighting& lighting);
 

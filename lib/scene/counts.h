@@ -53,8 +53,8 @@ struct L3D_PUBLIC l3d_surface_certificate {
     /// levels of 255.
     double shade = 0;
     /// The length of the difference between interpolated normals and the exact unit normals at the
-    /// same parameters. It is for vertices that have normals instead of shade levels; `shade` is
-    /// then 0.
+    /// same parameters. This bound is for vertices that have normals instead of shade levels;
+    /// `shade` is then 0.
     double normal = 0;
     /// The number of quads that `shade` does not cover, since their block may exceed the tolerance.
     /// A block exceeds the tolerance where normals turn faster than quads of six pixels can follow,
@@ -74,8 +74,9 @@ struct L3D_PUBLIC l3d_surface_certificate {
     }
 };
 
-/// Counts and error bounds of a frame's dicing. They include the patches left out because their
-/// control net, or the net's box, proves them unseen. `clipped` counts grids, not patches.
+/// Counts and error bounds of a frame's dicing. Patches are counted, too, that are left out because
+/// their control net, or the net's box, proves that they are unseen. `clipped` counts grids, not
+/// patches.
 struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     std::int64_t behind = 0; ///< patches left out: behind the near plane
     std::int64_t beyond = 0; ///< patches left out: beyond the far plane
@@ -105,12 +106,13 @@ struct L3D_PUBLIC l3d_dice_counts : l3d_seen_counts {
     double depth_bound_px = 0;
 
     /// The largest distance, in pixels, between an edge that may be seen and the model's faces that
-    /// end at the edge (l3d_trim_curve::edge). It is measured, and bound_px and depth_bound_px
-    /// include it.
+    /// end at the edge (l3d_trim_curve::edge). This distance is measured, not proven. bound_px and
+    /// depth_bound_px include it.
     double edges_px = 0;
 
     /// Certified distances between edges and the strips that close gaps beside them, in the picture
-    /// and in depth. Errors of edges and of curved models add nothing to them. Units: pixels.
+    /// and in depth. Errors of edges and of curved models add nothing to these distances. Units:
+    /// pixels.
     double strips_px = 0, strips_depth_px = 0;
 
     /// Adds an error of `px` pixels to the bounds of all shapes but strips. The bounds of strips,

@@ -81,8 +81,8 @@ inline constexpr double l3d_widest_outline = 0.125;
 /// Errors of the transform include this distance.
 inline constexpr double l3d_parallel_part = 0x1p-20;
 
-/// The view for which patches are diced: the picture, its planes, and the accuracy asked for. It is
-/// made once a frame; l3d_frame_dicer sets a few members for each patch.
+/// The view for which patches are diced: the picture, its planes, and the accuracy asked for. The
+/// view is made once a frame; l3d_frame_dicer sets a few members for each patch.
 ///
 /// Units: pixels from the picture's centre; near, far and depths in the image transform's scaled w.
 struct l3d_dice_view {
@@ -193,8 +193,8 @@ struct l3d_dice_view {
         return terms > 0 ? std::min((reach + eye_terms) / terms, 1.0) : 1.0;
     }
 
-    /// The near plane for points that have this share of the errors. It keeps w above 32 errors of
-    /// w. Smaller w, and quotients by them, have too few certain digits.
+    /// The near plane for points that have this share of the errors. This plane keeps w above 32
+    /// errors of w. Smaller w, and quotients by them, have too few certain digits.
     double near_of(double share) const {
         return std::max(camera_near > 0 ? camera_near : near, 32 * (share * error_w));
     }

@@ -10,8 +10,8 @@
 #include "scene/dice_view.h"
 #include "scene/patch_scene.h"
 
-/// The map from the world to the picture for a frame. It is the camera's matrix, scaled so that its
-/// results fit the registers of every number type.
+/// The map from the world to the picture for a frame. The map is the camera's matrix, scaled so
+/// that results fit the registers of every number type.
 ///
 /// Homogeneous points may be scaled freely. The factor here is a power of two, which is exact. It
 /// brings w to at most 2^8, |x| and |y| to at most 2^28. (The 32.32 format has 31 integer bits, and

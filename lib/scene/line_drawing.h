@@ -68,7 +68,7 @@ struct L3D_PUBLIC l3d_line_drawing {
 };
 
 /// Draws the contours, creases and borders of all instances that are not invisible. All surfaces
-/// are opaque, whatever their opacity. The near plane cuts them; the far plane does not.
+/// are opaque, whatever their opacity. The near plane cuts surfaces; the far plane does not.
 ///
 /// Surfaces that pierce each other have no line where they meet. A line changes between seen and
 /// hidden where it passes through another surface.

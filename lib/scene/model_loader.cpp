@@ -20,9 +20,9 @@
 
 namespace {
 
-/// The path at which a file `named` in the file `path` is looked for. It is in the folder of
-/// `path`, even if the name is a path on another machine or of Windows. A model from a pipe has no
-/// folder; the current folder stands for it.
+/// The path at which a file `named` in the file `path` is looked for. The result is in the folder
+/// of `path`, even if `named` is a path on another machine or of Windows. A model from a pipe has
+/// no folder; the current folder stands for it.
 std::string beside(const std::string& path, std::string named) {
     std::error_code unknown;
     const bool is_file = std::filesystem::is_regular_file(path, unknown);
@@ -77,9 +77,9 @@ struct material_text {
         : place(beside(path, named)), text(text_of(place, why)) {}
 };
 
-/// The files of materials that a statement of a model file names. It may name several files, and a
-/// name may have spaces. The whole statement is one name if there is such a file, or if none of its
-/// words names a file.
+/// The files of materials that a statement of a model file names. A statement may name several
+/// files, and a name may have spaces. The whole statement is one name if there is such a file, or
+/// if none of its words names a file.
 std::vector<material_text> texts_of(const std::string& path, const std::string& named) {
     const material_text whole(path, named);
     std::vector<material_text> each;

@@ -36,7 +36,7 @@ struct l3d_trim_region;
 struct l3d_patch_points;
 
 /// The largest magnitudes of a patch's coordinates, for the whole control net and for each edge.
-/// Bounds of rounding errors are computed from them.
+/// Bounds of rounding errors are computed from these magnitudes.
 ///
 /// Shape: edges in the order v = 0, v = 1, u = 0, u = 1.
 struct L3D_PUBLIC l3d_patch_reach {
@@ -131,8 +131,9 @@ public:
     l3d_patch_model dressed(const l3d_model_file& file) const;
 
     /// A model of the pieces of NURBS surfaces, in their order. Surfaces meet without a gap where
-    /// they have the same control points, weights and knots along a boundary. They also do where
-    /// curves of their trims follow the same edge of `edges` (l3d_trim_curve::edge).
+    /// they have the same control points, weights and knots along a boundary. Surfaces also meet
+    /// without a gap where curves of their trims follow the same edge of `edges`
+    /// (l3d_trim_curve::edge).
     /// Errors: throws l3d_error(bad_input) as from_patches, and if a trim follows an edge that is
     ///         not there.
     static l3d_patch_model from_surfaces(std::span<const l3d_nurbs_surface> surfaces,
@@ -165,20 +166,20 @@ public:
     bool is_curved() const { return source_ != nullptr; }
     /// The same curved model with finer or coarser patches; a model that is not curved is the same
     /// at all levels. Levels say how fine the patches are: one level for the error of places,
-    /// another for that of normals. Both run from 0, the coarsest, with which models are made, to
-    /// most_level(). Two levels more divide the error bound of places by 4, and that of normals by
-    /// 8. This holds as long as no more than 2^17 patches are needed.
+    /// another for that of normals. Both levels run from 0, the coarsest, to most_level(). Models
+    /// are made with level 0. Two levels more divide the error bound of places by 4, and that of
+    /// normals by 8. This holds as long as no more than 2^17 patches are needed.
     /// Expects: 0 <= places, normals <= most_level().
     /// Cost:    some 20 us a patch when a level is first asked for. Its patches are kept as long as
     ///          any copy of the model lives.
     l3d_patch_model at_level(int places, int normals) const;
     /// The finest level of places and of normals; 0 if the model is not curved.
     int most_level() const;
-    /// The bound of errors of places at a level; 0 if the model is not curved. It is known before
-    /// the level's patches are made.
+    /// The bound of errors of places at a level; 0 if the model is not curved. The bound is known
+    /// before the level's patches are made.
     /// Expects: as at_level.
     double error_at_level(int places, int normals) const;
-    /// A bound of the number of a level's patches. It is known before the patches are made.
+    /// A bound of the number of a level's patches. The bound is known before the patches are made.
     /// Expects: as at_level.
     double patches_at_level(int places, int normals) const;
     /// The same curved model with only the patches that may be seen in the wish's region. Each
@@ -203,17 +204,17 @@ public:
     bool is_exact() const { return !is_curved() && !stated_; }
 
     /// Bound of the distance between the patches and the surface that they approximate, at the same
-    /// parameters. That surface is the pieces of a curved model, or the surface of standing_for().
-    /// The bound is 0 for other models.
+    /// parameters. The approximated surface is that of a curved model's pieces, or the surface of
+    /// standing_for(). The bound is 0 for other models.
     double surface_error() const;
     /// The bound surface_error() for one patch. Expects: index < patches().size().
     double surface_error(std::size_t index) const;
     /// Bound of the difference between unit normals of the patches and of the surface that they
-    /// approximate, at the same parameters. It is 0 for models without surface_error(). It is
-    /// infinite if a normal vanishes inside of a patch of a curved model.
+    /// approximate, at the same parameters. The bound is 0 for models without surface_error(). It
+    /// is infinite if a normal vanishes inside of a patch of a curved model.
     double normal_error() const;
-    /// Whether the bound normal_error() holds for a patch. It does not hold where nothing is known
-    /// about the normals of the approximated surface.
+    /// Whether the bound normal_error() holds for a patch. The bound does not hold where nothing is
+    /// known about the normals of the approximated surface.
     /// Expects: index < patches().size().
     bool has_normal_error(std::size_t index) const;
 

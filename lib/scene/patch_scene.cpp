@@ -350,9 +350,9 @@ std::span<const l3d_material> l3d_patch_scene::materials() const {
     return materials_;
 }
 
-/// The box of all instances. It grows by the instances that were added since the last call. After
-/// an instance was moved, all instances are looked at, since the box without the moved instance is
-/// unknown.
+/// The box of all instances. Each call adds the instances that were added to the scene since the
+/// last call. After an instance was moved, all instances are looked at, since the box without the
+/// moved instance is unknown.
 const l3d_patch_scene::whole& l3d_patch_scene::extent() const {
     if (extent_count_ == 0)
         extent_ = {};

@@ -302,14 +302,14 @@ public:
     /// Cost:    a frame draws everything in the instance's box twice; where the boxes of n
     ///          transparent instances overlap, 2^n times.
     void set_opacity(std::size_t index, double opacity);
-    /// The largest number of transparent instances in a scene. Where all of them overlap, 256
-    /// pictures are mixed.
+    /// The largest number of transparent instances in a scene. Where that many instances overlap,
+    /// 256 pictures are mixed.
     static constexpr std::size_t most_transparent = 8;
     /// The number of instances with an opacity below 1.
     std::size_t transparent_count() const { return transparent_count_; }
 
-    /// A scene of some of the instances, opaque, in the order of the indices. Its materials() are
-    /// those of all instances, so that pictures of both scenes are lit alike.
+    /// A scene of some of the instances, opaque, in the order of the indices. The result's
+    /// materials() are those of all instances, so that pictures of both scenes are lit alike.
     /// Expects: indices of instances().
     /// Lives: shares the models.
     l3d_patch_scene only(std::span<const std::size_t> indices) const;

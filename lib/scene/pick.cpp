@@ -32,8 +32,8 @@ constexpr double ray_rounding = 128 * 0x1p-53;
 /// The rounding of a coordinate in the world, as a part of the same sum of magnitudes.
 constexpr double world_rounding = 16 * 0x1p-53;
 
-/// The ray through a place of a picture. It maps points to two coordinates that are 0 on the ray,
-/// and to depth.
+/// The ray through a place of a picture. The class maps points to two coordinates that are 0 on the
+/// ray, and to depth.
 class eye_ray {
 public:
     eye_ray(const l3d_pick_view& view, double x, double y)

@@ -67,8 +67,8 @@ struct l3d_doubt_patch {
     }
 };
 
-/// A part of an exact patch, made by halving, whose place and light are bounded. Its normals are in
-/// the world.
+/// A part of an exact patch, made by halving, whose place and light are bounded. The part's normals
+/// are in the world.
 struct l3d_doubt_piece : l3d_exact_part {
     const l3d_doubt_patch* of = nullptr;
     /// How much of the piece the trims of its face leave. A border of the trims runs through the

@@ -49,8 +49,8 @@ double most_off(std::uint32_t word, const l3d_light_bounds& light) {
     return std::min(result + level_rounding, 255.0);
 }
 
-/// Bounds the relative rounding of normals. Their coefficients are sums of some dozens of products
-/// of differences, then are halved some dozens of times and multiplied by a matrix.
+/// Bounds the relative rounding of normals. Coefficients of normals are sums of some dozens of
+/// products of differences. Then they are halved some dozens of times, and multiplied by a matrix.
 constexpr double normal_rounding = 0x1p-44;
 
 /// Bounds the length of an instance's normals. The largest component of a normal net is 1

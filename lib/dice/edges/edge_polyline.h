@@ -38,8 +38,8 @@ public:
                       const std::array<l3d_image_curve, 4>& edges, const l3d_dice_view& view,
                       const std::array<double, 4>& shares = {1, 1, 1, 1});
 
-    /// Builds the polyline of one edge. Its points are those that building four at once would give.
-    /// Building four at once takes less than four times as long.
+    /// Builds the polyline of one edge. The points are the same as if four polylines were built at
+    /// once. Building four at once takes less than four times as long.
     void build(const l3d_image_curve& edge, const l3d_dice_view& view);
 
     /// Makes this polyline from the polylines of its edge's two halves. The halves are sides of
@@ -68,8 +68,8 @@ public:
     std::size_t parts() const { return parts_; }
 
     /// Where the strips of a part begin, as indices of the edge's points. A part has one strip, or
-    /// four strips of equal length, as a patch has. There are 0 strips if some points of the edge
-    /// cannot be drawn.
+    /// four strips of equal length, as a patch has. The number of strips is 0 if some points of the
+    /// edge cannot be drawn.
     const l3d_block_starts& strips(std::size_t part = 0) const { return strips_[part]; }
 
     /// The strips of the part that runs from t0 to t1; null if no part does.

@@ -41,9 +41,9 @@ bool counts_centres(const l3d_dice_view& view) {
     return !view.keep.centreless && view.trim == nullptr;
 }
 
-/// Whether a triangle certainly holds no pixel's centre, not even on its sides. Only pixels in the
-/// given columns and rows are looked at. Each line of pixels along the longer side of the
-/// triangle's box is looked at.
+/// Whether a triangle certainly holds no pixel's centre, not even on its sides. Looks at the pixels
+/// in the given columns and rows, one line of pixels along the longer side of the triangle's box
+/// after another.
 bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place& r,
                      const l3d_pixel_centres<std::int32_t>& columns,
                      const l3d_pixel_centres<std::int32_t>& rows) {
@@ -83,10 +83,10 @@ bool holds_no_centre(const slit_place& p, const slit_place& q, const slit_place&
     return true;
 }
 
-/// Whether a triangle certainly covers no pixel's centre. It covers none if its box holds no centre
-/// or its corners lie on one line. It also covers none if no centre in its box lies in it or on its
-/// sides. Without `by_centres`, this last test is made only if the box has a single centre. Nearly
-/// all triangles of slits cover nothing.
+/// Whether a triangle certainly covers no pixel's centre. The triangle covers none if its box holds
+/// no centre or its corners lie on one line. It also covers none if no centre in the box lies in
+/// the triangle or on its sides. Without `by_centres`, this last test is made only if the box has a
+/// single centre. Nearly all triangles of slits cover nothing.
 inline bool covers_nothing(const slit_place& p, const slit_place& q, const slit_place& r,
                            bool by_centres) {
     const auto along_x = centres_between(p.x, q.x, r.x);

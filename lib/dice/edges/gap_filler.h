@@ -33,10 +33,10 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 ///
 /// First the grid's row takes over vertices of the edge that stand for the same points. These
 /// vertices are the ends of strips, and all vertices of strips with as many steps as the edge has.
-/// At strips with as many steps, the slit is empty. The row keeps its normals, and triangles use
-/// them. If the grid shows both sides, a triangle shows the same side as the quad beside it.
-/// Triangles that hold no pixel's centre are left out, unless the view keeps them
-/// (`keep.centreless`) or has trims.
+/// At strips with as many steps, the slit is empty. The row keeps its normals, and the slit's
+/// triangles use the row's normals. If the grid shows both sides, a triangle shows the same side as
+/// the quad beside it. Triangles that hold no pixel's centre are left out, unless the view keeps
+/// them (`keep.centreless`) or has trims.
 /// Shape:   side as in l3d_edge_polylines; piece.u or piece.v and the grid's blocks are written.
 /// Expects: the edge has strips. If an end of the row lies between the edge's own ends, the row's
 ///          end is at the exact place that both neighbours compute. The edge's points near such an

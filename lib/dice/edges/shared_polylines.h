@@ -23,7 +23,7 @@ struct l3d_strip_corner {
 };
 
 /// The polyline at which all trimmed faces at an edge of a model end, so that no gap shows between
-/// them. It depends on the edge and the view alone.
+/// them. The polyline depends on the edge and the view alone.
 ///
 /// In the picture and the margin around it, no chord is longer than l3d_longest_shared_chord, and
 /// the edge is within l3d_shared_chord_error() of its chords.

@@ -79,9 +79,9 @@ bool is_unseen(const strip& of, const l3d_dice_view& view) {
 ///
 /// The triangle before an inner point of the polyline is near the first chord. The other triangles
 /// are near a part of the polyline. This part runs from the polyline's place nearest to a to its
-/// place nearest to b. Each point of these triangles has a point of that part that is as far along
-/// the line between the two places. Across that line, the two points differ by no more than corners
-/// do.
+/// place nearest to b. For each point of these triangles, the part of the polyline has a point that
+/// is as far along the line between the two places. Across this line, the two points differ by no
+/// more than corners do.
 double width_of(const strip& of, const l3d_strip_corner& a, const l3d_strip_corner& b,
                 place l3d_strip_corner::*in) {
     const auto point = [&](std::size_t i) -> const place& { return of.line.corners[i].*in; };

@@ -245,7 +245,7 @@ struct mixed_differences {
 };
 
 /// Bounds the mixed third and fourth derivatives over the whole net, by the blocks' parameters.
-/// They count only where vertices are balanced.
+/// These bounds count only where vertices are balanced.
 HWY_ATTR void bound_mixed(const l3d_dice_view& view, lane_bounds& out) {
     const l3d_image_box box = view.margin().intersected(view.drawn_box(out.hull));
     out.needs.uuv = out.needs.uvv = out.needs.uuvv = 0;

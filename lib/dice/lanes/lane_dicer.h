@@ -42,7 +42,7 @@ public:
     const l3d_step_plan* plan(const l3d_patch_part& piece, const l3d_dice_view& view,
                               double edge_vertex, const l3d_bend_bounds& bends);
 
-    /// The proven bounds of depth and shade for the piece of the last plan. They include the
+    /// The proven bounds of depth and shade for the piece of the last plan. The bounds include the
     /// rounding of vertices.
     l3d_surface_certificate certificate(const l3d_patch_part& piece, const l3d_dice_view& view,
                                         const l3d_bend_bounds& bends,

@@ -16,8 +16,8 @@
 #include <span>
 
 /// Finds the outline pixels of a frame. In these pixels, an error of a drawn outline may change
-/// which surface is visible. It gathers the frame's surfaces, and searches their outlines when all
-/// surfaces are drawn (NUMERICS, section 9, Outlines).
+/// which surface is visible. The object gathers the frame's surfaces, and searches their outlines
+/// when all surfaces are drawn (NUMERICS, section 9, Outlines).
 ///
 /// Lives: borrows the scene from begin to finish.
 /// Cost:  36 bytes a pixel. All surfaces are drawn once more, on one thread. l3d_outline_search

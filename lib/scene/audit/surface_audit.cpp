@@ -39,8 +39,8 @@ struct cut_place {
 
 /// Chooses where to cut a part. The best place is where the surface with which the part is compared
 /// ends, since neither half needs another cut there. If there are several such places, the one that
-/// cuts off most of a side is taken. If there is none, or all cut off little, the longest side is
-/// halved, lest parts become slivers.
+/// cuts off most of a side is taken. If there is no such place, or all such places cut off little,
+/// the longest side is halved, lest parts become slivers.
 class cut_choice {
 public:
     explicit cut_choice(const audit_part& part)
@@ -249,9 +249,9 @@ private:
         return best;
     }
 
-    /// A bound of the distance from a triangle to a sheet. It compares the triangle with the part
-    /// of the sheet whose corners are nearest to the triangle's. It also offers cuts where the
-    /// sheet ends.
+    /// A bound of the distance from a triangle to a sheet. The function compares the triangle with
+    /// the part of the sheet whose corners are nearest to the triangle's corners. It also offers
+    /// cuts where the sheet ends.
     double matched_part(const audit_part& part, const patch_sheet& sheet, cut_choice& at) {
         if (last_sheet_ != &sheet) {
             last_sheet_ = &sheet;

@@ -28,11 +28,11 @@ struct L3D_PUBLIC l3d_audited_way {
 /// The distances between a mesh and a surface, each from all places of one to the nearest place of
 /// the other. The larger one is Hausdorff's distance.
 struct L3D_PUBLIC l3d_mesh_audit {
-    /// The largest distance from a place of the mesh to the surface. It is large if the mesh has
-    /// too much.
+    /// The largest distance from a place of the mesh to the surface. This distance is large if the
+    /// mesh has too much.
     l3d_audited_way from_mesh;
-    /// The largest distance from a place of the surface to the mesh. It is large if the mesh lacks
-    /// a part.
+    /// The largest distance from a place of the surface to the mesh. This distance is large if the
+    /// mesh lacks a part.
     l3d_audited_way from_surface;
 };
 

@@ -85,15 +85,16 @@ public:
     HWY_ATTR HWY_INLINE number sum_of_sizes() const { return most_[0][0]; }
     HWY_ATTR HWY_INLINE number noise() const { return noise_; }
 
-    /// The mask of lanes in which the bounds hold. They do not hold where a part may lack a normal.
+    /// The mask of lanes in which the bounds hold. The bounds do not hold where a part may lack a
+    /// normal.
     HWY_ATTR HWY_INLINE auto known() const { return known_; }
 
     HWY_ATTR HWY_INLINE number in_middle(std::size_t k, std::size_t l) const {
         return sizes_[k][l] * same(as_derivative(k, l));
     }
 
-    /// The bound of the derivative of N, k times by u and l times by v. Its terms of order 0 and 1
-    /// are exact; the other terms are sums of absolute values.
+    /// The bound of the derivative of N, k times by u and l times by v. The bound's terms of order
+    /// 0 and 1 are exact; all other terms are sums of absolute values.
     HWY_ATTR HWY_INLINE number bound(std::size_t k, std::size_t l) const {
         const number u = same(static_cast<double>(k + 1)), v = same(static_cast<double>(l + 1));
         const number exact = largest_size(n_[k][l], n_[k + 1][l] * u, n_[k][l + 1] * v);

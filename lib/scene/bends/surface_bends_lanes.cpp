@@ -19,7 +19,7 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// The Taylor coefficients by u of the rows of a net, about the middles of the eight columns of
-/// parts. They are the first step to the parts' coefficients by u and v.
+/// parts. Coefficients by u are the first step to the parts' coefficients by u and v.
 template <std::size_t Degree> class part_columns {
 public:
     /// Shape: net[component][row][column].

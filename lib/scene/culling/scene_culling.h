@@ -65,8 +65,8 @@ public:
     /// nearest patches hide most and each batch has a fixed cost.
     ///
     /// `hidden(box, inv_w)` tells whether a thing in a box and no nearer than inv_w (1 / distance
-    /// along the view axis) would change no pixel. It is called from the second batch on, so the
-    /// caller draws each batch before the next.
+    /// along the view axis) would change no pixel. `hidden` is called from the second batch on, so
+    /// the caller draws each batch before the next.
     /// Lives: until the next call.
     template <std::predicate<const l3d_subpixel_box&, float> Hidden>
     std::span<const l3d_placed_patch> next(const Hidden& hidden) {

@@ -30,9 +30,9 @@ struct culled_boxes {
     row share;       ///< share of the view's errors: l3d_dice_view::share_of
     row near;        ///< the w of the near plane for this share of the errors
 
-    /// The boxes' extents in the picture, in pixels from its centre. They are valid where `least`
-    /// is greater than `near`. If no box with valid extents is inside the margin, they are not
-    /// written.
+    /// The boxes' extents in the picture, in pixels from its centre. Extents are valid where
+    /// `least` is greater than `near`. If no box with valid extents is inside the margin, they are
+    /// not written.
     row left, right, top, bottom;
 };
 

@@ -277,7 +277,7 @@ void border_search::add_side(const met_sides& met) {
 }
 
 /// Adds the stretches of a common side that are contours. A stretch lies between neighbouring ends
-/// of the pieces' contours. It is a contour if just one of both pieces shows its front.
+/// of the pieces' contours. A stretch is a contour if just one of both pieces shows its front.
 void border_search::add_contours(const side& a, const side& b, bool turns) {
     std::vector<double> ends{0, 1};
     for (const side* const one : {&a, &b})

@@ -209,8 +209,8 @@ verdict judged(std::size_t index, const l3d_patch_points& piece, const l3d_param
     return result;
 }
 
-/// The control points of a piece's boundary as numbers, to be compared. They are in the direction
-/// in which they sort first.
+/// The control points of a piece's boundary as numbers, to be compared. The points are in the
+/// direction in which they sort first.
 struct boundary {
     std::vector<double> numbers;
     bool is_turned = false;    ///< whether the points run against the parameter

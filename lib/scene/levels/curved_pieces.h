@@ -38,8 +38,8 @@ struct l3d_cell_wish {
     /// the pieces' unit.
     double allowed(std::span<const l3d_vector<double, 4>> points) const;
     /// The error of unit normals that is allowed in a cell with this range of its piece's
-    /// parameters. It is infinite for cells that were halved most_halvings_for_normals + `normals`
-    /// times.
+    /// parameters. The allowed error is infinite for cells that were halved
+    /// most_halvings_for_normals + `normals` times.
     double normals_of(const l3d_parameter_range& cell) const;
 };
 

@@ -149,8 +149,8 @@ l3d_patch_model::source::at_level(int places, int normals) const {
     return kept;
 }
 
-/// Makes the contents for a wish. Their orientation is 0, since a part of a closed body is not
-/// closed. Their box also holds parts of the model outside of the wish's region.
+/// Makes the contents for a wish. The contents' orientation is 0, since a part of a closed body is
+/// not closed. The contents' box also holds parts of the model outside of the wish's region.
 std::shared_ptr<const l3d_patch_model::contents>
 l3d_patch_model::source::seen(const l3d_cell_wish& wanted) const {
     const std::scoped_lock lock(mutex_);

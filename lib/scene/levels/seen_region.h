@@ -12,8 +12,9 @@
 #include <optional>
 #include <span>
 
-/// The part of space that a picture shows, with some space around it. It is a pyramid, or a square
-/// column in a parallel projection. Cells of curved models outside of the region are not needed.
+/// The part of space that a picture shows, with some space around it. The region is a pyramid, or a
+/// square column in a parallel projection. Cells of curved models outside of the region are not
+/// needed.
 ///
 /// The region depends on the view alone. The eye and the direction of sight are rounded to grids,
 /// so the region stays the same while the camera moves a little.

@@ -25,8 +25,8 @@ struct l3d_shared_edge {
     /// at most the sum of both edges' allowances. An edge's allowance is its tolerance, or `off` if
     /// that is larger.
     std::array<l3d_vector<double, 3>, 2> ends{};
-    /// The largest distance found between the edge and its faces, at the same parameters. It is
-    /// measured at places of each trim curve, not proven.
+    /// The largest distance found between the edge and its faces, at the same parameters. This
+    /// distance is measured at places of each trim curve, not proven.
     double off = 0;
     l3d_vector<double, 3> worst{0.0, 0.0, 0.0}; ///< the place of the edge where `off` was found
     double tolerance = 0;                       ///< the largest `off` that the file allows
