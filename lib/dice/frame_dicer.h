@@ -167,7 +167,7 @@ private:
     l3d_piece_pool& slot(std::size_t i) { return slots_[first_slot_ + i]; }
 
     std::vector<l3d_piece_pool> slots_; ///< pieces of each patch of a batch, or of all batches
-    /// The index of the first slot of the last batch, and of the first slot behind the batch.
+    /// The index of the last batch's first slot, and the index behind its last slot.
     std::size_t first_slot_ = 0, next_slot_ = 0;
     std::size_t patches_before_ = 0; ///< patches in the frame's batches before the last one
     bool keeps_batches_ = false;

@@ -389,8 +389,8 @@ void l3d_grid_builder<T>::add_clipped_block(const l3d_trim_block& of, l3d_diced_
         }
 }
 
-/// The corners of one of the two triangles of a clipped piece's quad. The first triangle has sides
-/// along low v and high u.
+/// A clipped piece draws a quad as two triangles. Returns the corners of one of these. The first
+/// triangle has sides along low v and high u.
 template <class T>
 auto l3d_grid_builder<T>::half_of_quad(int row, int column, bool first) const -> corners_of_half {
     const l3d_clip_vertex &a = clip_vertex(row, column), &e = clip_vertex(row + 1, column + 1);

@@ -246,8 +246,8 @@ template <class T> void l3d_patch_dicer<T>::draw(const piece& p, const planned& 
     of.counts.clipped += !how.nets.whole();
 }
 
-/// Adds a piece's bounds of depth and shade to the counts. row_depth_error is the error of depth of
-/// its slits' vertices.
+/// Adds a piece's bounds of depth and shade to the counts. `row_depth_error` is the error of depth
+/// in the vertices of the piece's slits.
 template <class T>
 void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certificate& proven,
                                        double row_depth_error, task& of) const {
@@ -257,7 +257,8 @@ void l3d_patch_dicer<T>::count_surface(const piece& p, const l3d_surface_certifi
     of.counts.add_surface(proven, side_error + row_depth_error);
 }
 
-/// Adds a drawn piece to the counts. row_error is the error of its slits' vertices.
+/// Adds a drawn piece to the counts. `row_error` is the error of places in the vertices of the
+/// piece's slits.
 template <class T>
 void l3d_patch_dicer<T>::count(const piece& p, const l3d_diced_piece& out, double row_error,
                                bool in_lanes, task& of) const {

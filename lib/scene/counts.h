@@ -67,8 +67,8 @@ struct L3D_PUBLIC l3d_surface_certificate {
     /// plane is not part of it (l3d_most_off_plane).
     double depth_without_normals = 0;
 
-    /// Adds to `depth` the error of vertices and, in the blocks of `without_normals`, the distance
-    /// of quads' corners from a plane.
+    /// Adds the error of vertices to `depth`. In the blocks of `without_normals`, also adds the
+    /// distance of quads' corners from a plane.
     void add_to_depth(double vertices, double off_plane) {
         depth = std::max(depth, depth_without_normals + off_plane) + vertices;
     }

@@ -34,7 +34,8 @@ constexpr double roundings = (16 + 8 + 8 + 3 * 50) * 0x1p-53;
 /// and its product with `up`.
 constexpr double turning = 4 * 0x1p-53;
 
-/// Bound of the distance of any control point from a place: the sum of distances along the axes.
+/// Bound of the distance between a place and any control point. It is the sum of the largest
+/// distances along the axes.
 double farthest_from(const l3d_camera::vector& place, const l3d_patch_scene& scene) {
     double result = 0;
     for (int i = 0; i < 3; ++i)

@@ -30,8 +30,8 @@ double level_at(const l3d_doubt_bounds& b, double x, double y) {
     return b.level.at(x - b.at_x, y - b.at_y);
 }
 
-/// The light of a shade level, given as the level above ambient light, in a channel whose colour is
-/// this part of white.
+/// The light of a channel whose colour is `part` of white, at a shade level. `level` is counted
+/// from the level of ambient light.
 double light_above_ambient(double level, double part) {
     return l3d_light_of_level(part * (l3d_ambient_level + std::max(0.0, level)));
 }

@@ -14,7 +14,7 @@
 
 /// Bounds of a pixel of the exact picture. Units: parts of the pixel's square, from 0 to 1.
 struct l3d_doubt_pixel {
-    /// Bounds of the pixel's light: the sums of the bounds of its cells' light.
+    /// Bounds of the pixel's light. They are sums over the pixel's cells.
     l3d_light_bounds light;
 
     /// The part in which it is uncertain which surface the exact picture shows.

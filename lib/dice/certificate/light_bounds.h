@@ -18,8 +18,8 @@ inline l3d_color_parts l3d_parts_of(std::uint32_t word) {
     return {(word >> 16 & 0xff) / 255.0, (word >> 8 & 0xff) / 255.0, (word & 0xff) / 255.0};
 }
 
-/// Bounds of the light of each channel of a pixel or a part of it. Units: linear light from 0 to 1;
-/// red first.
+/// Bounds of the light in each colour channel, for a pixel or a part of a pixel. Units: linear
+/// light from 0 to 1; red first.
 struct l3d_light_bounds {
     std::array<double, 3> least{}, most{};
 

@@ -26,8 +26,8 @@ struct alignas(64) row {
     double at[lanes];
 };
 
-/// The four control values of cubics in one coordinate, or their coefficients of powers of t, for
-/// all strips.
+/// One coordinate of the cubics of all strips: four control values, or four coefficients of powers
+/// of t.
 using cubic = std::array<row, 4>;
 
 /// The strips' control points: [coordinate][control point].

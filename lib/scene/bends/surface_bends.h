@@ -29,9 +29,9 @@ template <class T> struct l3d_bend_numbers {
 /// cosine)).
 inline constexpr float l3d_level_of_cosine = 229.5F;
 
-/// The factor in the error of the parabola through both ends and the middle of a step h of a curve.
-/// The error is at most this factor times h^3 times the third derivative. The factor is the largest
-/// value of |s (s - 1/2) (s - 1)| / 6.
+/// A parabola through both ends and the middle of a curve's step h errs by at most this factor
+/// times h^3 times the third derivative. The factor is the largest value of |s (s - 1/2) (s - 1)| /
+/// 6.
 inline constexpr double l3d_of_thirds = 0.0080187537387448;
 
 /// Bounds how far the drawn shade level of a quad with sides h_u, h_v is off the exact level at the

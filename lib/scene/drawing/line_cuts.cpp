@@ -11,7 +11,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// The side of a square of the grid that finds crossings of lines. Units: pixels.
+/// Crossings of lines are found by a grid of squares. This is the side of a square. Units: pixels.
 constexpr double square = 16;
 
 /// Depths of chords are less exact than places. If the depths of two chords differ by less than

@@ -96,9 +96,9 @@ private:
 /// Cuts a curved model's pieces, which are rational Bezier patches, into cells. Each cell is drawn
 /// as one bicubic patch.
 ///
-/// The ranges of u and of v of a piece are halved repeatedly, wherever some cell needs it. Pieces
-/// with a common boundary are halved alike along it, so their cells have the same boundaries there,
-/// bit for bit.
+/// A piece's ranges of u and v are halved repeatedly, wherever a cell is not fine enough yet.
+/// Pieces with a common boundary are halved alike along it, so their cells have the same boundaries
+/// there, bit for bit.
 class l3d_curved_pieces {
 public:
     using patch = l3d_bezier_patch<double, 3>;
@@ -131,10 +131,10 @@ public:
     /// of Lambert's 229.5. Two levels more ask for an eighth. Cells are halved for normals at most
     /// most_halvings_for_normals + `level` times, so that cusps do not take all cells.
     static double normal_target(int level);
-    /// The largest number of halvings of a cell for errors of normals at level 0. A step of two
-    /// halvings, one along u and one along v, divides a cell's error by 64. Two steps bring the
-    /// largest possible error, 2, to 2^-11, below the target of level 0. Two more steps are for
-    /// pieces that bend so much that errors fall less at first.
+    /// The largest number of times that a cell is halved because of errors of normals, at level 0.
+    /// A step of two halvings, one along u and one along v, divides a cell's error by 64. Two steps
+    /// bring the largest possible error, 2, to 2^-11, below the target of level 0. Two more steps
+    /// are for pieces that bend so much that errors fall less at first.
     static constexpr int most_halvings_for_normals = 2 * (2 + 2);
     /// The largest number of cells of a model at any level: they take some 300 MB.
     static constexpr double most_cells = 0x1p17;
