@@ -32,7 +32,7 @@ struct L3D_PUBLIC l3d_common_report {
     std::string simd;           ///< vector instructions, as l3d_simd_target names them
     l3d_size size;              ///< size of the picture, in pixels
     int threads = 1;            ///< threads that drew
-    l3d_surface_counts surface; ///< counts of the work of filling surfaces
+    l3d_surface_counts surface; ///< counts of work while surfaces were filled
     std::uint64_t hash = 0;     ///< l3d_hash of the picture
 };
 
@@ -56,13 +56,13 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     double near_z = 0;
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
-    l3d_dice_counts dice;     ///< patches seen, steps, and the certified bounds
+    l3d_dice_counts dice; ///< counts of seen patches and of steps, and the certified error bounds
     /// The number of pixels that keep their colour from the last frame, since nothing changed in
     /// them.
     std::int64_t pixels_kept = 0;
 
-    /// The part of the bounds of places and depth that covers approximation: some models' surfaces
-    /// are not bicubic, and their patches approximate them. Units: pixels.
+    /// The part of the bounds of places and depth that comes from approximation. Surfaces that are
+    /// not bicubic are drawn as patches that approximate them. Units: pixels.
     double curved_px = 0;
 
     /// The number of pixels that an outline may cross, so that it is not certain which surface they
@@ -92,9 +92,9 @@ private:
 
 /// The counts of a model's triangles in a frame: those drawn, and those left out by reason.
 struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
-    std::int64_t back = 0; ///< left out: seen from behind, or without area
+    std::int64_t back = 0; ///< triangles left out: seen from behind, or without area
 
-    /// Adds the counts of other triangles to these.
+    /// Adds the counts of `other` to this object's counts.
     void add(const l3d_polygon_counts& other) {
         l3d_seen_counts::add(other);
         back += other.back;
@@ -121,9 +121,10 @@ struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
 struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
     l3d_polygon_times time_ms;      ///< times of the stages, in milliseconds
     std::int64_t faces = 0;         ///< faces of the model
-    std::int64_t triangles = 0;     ///< triangles of its faces
+    std::int64_t triangles = 0; ///< triangles of the model's faces
     l3d_polygon_counts polygons;    ///< triangles drawn, and left out by reason
-    l3d_painter_order_counts order; ///< the work of ordering; zeros with a depth buffer
+    /// Counts of the work of ordering triangles; zeros with a depth buffer.
+    l3d_painter_order_counts order;
 
     /// One line of JSON, without the line's end.
     std::string json() const;

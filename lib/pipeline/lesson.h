@@ -40,7 +40,7 @@ protected:
     /// Whether pictures look like those of the book: hard edges, letters of dots, a black ground.
     bool is_classic() const { return is_classic_; }
 
-    /// The background where nothing is drawn: that of set_ground, or at first a dark one, black if
+    /// The background where nothing is drawn. Before a call of set_ground it is dark, or black if
     /// pictures are classic.
     const l3d_background& ground() const { return ground_; }
     /// Changes the ground that clear() draws from now on. The last picture keeps its ground until
@@ -63,8 +63,9 @@ private:
     virtual void advance(double seconds) = 0;
     /// Puts the lesson's world back to its beginning. Called at the key r.
     virtual void restart() = 0;
-    /// Called when the pointer moves with the first mouse button held, and with a motion of 0 when
-    /// that button is pressed. The pointer is at (x, y) and has moved by (right, down).
+    /// Called when the pointer moves while the first mouse button is held. It is also called when
+    /// the user presses this button, then with a motion of 0. The pointer is at (x, y) and has
+    /// moved by (right, down).
     /// Units: pixels.
     virtual void drag(int x, int y, int right, int down);
     /// Called when the mouse wheel turns. `notches` are positive if it turns away from the user.

@@ -14,9 +14,9 @@
 
 #include <memory>
 
-/// Draws surfaces by adaptive forward differencing: culls patches, dices the others into quads
-/// within the tolerance, and fills the quads. It works batch after batch, from the nearest patches
-/// to the farthest.
+/// Draws surfaces by adaptive forward differencing: leaves out patches that cannot be seen, dices
+/// the remaining patches into quads within the tolerance, and fills the quads. It works batch after
+/// batch, from the nearest patches to the farthest.
 ///
 /// Lives: borrows the workers.
 /// Cost:  once the largest frame has been drawn, frames without outlines allocate nothing.

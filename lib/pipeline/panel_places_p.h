@@ -26,10 +26,11 @@ inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) 
 /// Finds places for panels, so that none covers another. It keeps a list of the largest rectangles
 /// of the picture that are still free; these may overlap.
 ///
-/// A panel goes into a free rectangle that holds it without further wrapping. If several do, it
-/// takes the one in which it stands nearest to its corner of the picture, first in x, then in y. If
-/// none does, the panel's lines are wrapped to fit the largest rectangle in which all text has
-/// room. If no rectangle has room for all text, the panel gets smaller letters in the largest one.
+/// A panel goes into a free rectangle that holds the panel without further wrapping. If several
+/// rectangles do, the panel goes where it stands nearest to its corner of the picture, first in x,
+/// then in y. If no rectangle does, the panel's lines are wrapped to fit the largest rectangle in
+/// which all text has room. If no rectangle has room for all text, the panel gets smaller letters
+/// in the largest rectangle.
 class panel_places {
 public:
     panel_places(const l3d_pixel_box& picture, const l3d_panel_style& style)

@@ -36,7 +36,7 @@ struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
     bool unit_normals = false;
     bool drawing = false; ///< whether a frame is drawn again, even if nothing changed
 
-    /// Switches for all of this work, as if no rule could skip any.
+    /// All switches on, as if no rule could skip any work.
     static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
 };
 
@@ -113,9 +113,10 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_kept_work keep{};
 
     /// Whether surfaces show only their front, the side that dS/du x dS/dv points to. A patch is
-    /// left out if all of it turns its back to the eye. If only some of the patch's sixteen blocks
-    /// do so altogether, these blocks are left out. A back in the same block as a front is drawn.
-    /// The front depends on the model, not on its placement: a mirrored model shows the same side.
+    /// left out if all of it turns its back to the eye. Otherwise, those of the patch's sixteen
+    /// blocks are left out that turn only backs to the eye. A block with a front and a back is
+    /// drawn whole. The front depends on the model, not on its placement: a mirrored model shows
+    /// the same side.
     bool one_sided = false;
 
     /// Whether the depth of each pixel is kept, for depth() and distances().
@@ -185,9 +186,9 @@ public:
     /// The canvas's letters, for text in draw_overlay.
     const l3d_font& font() const { return font_; }
 
-    /// The scene that is drawn, for the program to change. The next draw_event draws the scene,
-    /// camera and settings as they are then. A program with a dispatcher calls redraw() after a
-    /// change of camera or settings. Only the pipeline calls the scene's forget_changes().
+    /// The scene that is drawn, for the program to change. The next draw_event draws with scene,
+    /// camera and settings as they are at that time. A program with a dispatcher calls redraw()
+    /// after a change of camera or settings. Only the pipeline calls the scene's forget_changes().
     l3d_patch_scene& scene() { return scene_; }
     /// Curves in space that are drawn as lines over the finished surfaces, and over the curves of
     /// the scene's models. The program may change these curves, and then calls redraw().
@@ -218,8 +219,8 @@ public:
     /// l3d_without_area. It is "" if the picture may show something.
     std::string why_empty() const;
 
-    /// The inspection that the next frame shows: that of the settings. If the settings leave its
-    /// scale open, the result has a scale that suits the scene. The colours are
+    /// The inspection that the next frame shows, as the settings ask for it. If the settings leave
+    /// the scale open, the result has a scale that suits the scene. The result's colours are
     /// l3d_inspection_colors.
     /// Cost: after a change of scene or shade, the search for an open scale of curvature takes some
     ///       7 us a patch, but at most 30 ms.
@@ -362,8 +363,8 @@ private:
     bool is_drawing_ = false;
     l3d_pixel_box changed_;
     l3d_frame_report report_;
-    /// The shade for which a scale of curvature was last found, and the scale's end. None until one
-    /// is needed.
+    /// The shade for which a scale of curvature was last found, and the scale's end. It is empty
+    /// until such a scale is needed.
     std::optional<std::pair<l3d_shade, double>> usual_curvature_;
     std::unique_ptr<stages> stages_;
 };

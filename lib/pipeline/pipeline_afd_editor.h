@@ -34,8 +34,8 @@ struct L3D_PUBLIC l3d_handle_view {
 ///
 /// A drag with the left button moves a handle in the plane through it that is parallel to the
 /// picture. A drag with the right button moves the handle along the view axis: a drag upwards moves
-/// it away from the eye. The wheel over a handle changes its weight. undo() takes any such change
-/// back.
+/// it away from the eye. The wheel over a handle changes the handle's weight. undo() takes each of
+/// these changes back.
 /// Lives: a value.
 class L3D_PUBLIC l3d_control_handles {
 public:
@@ -92,7 +92,7 @@ public:
     /// returns false if there is no change to take back.
     bool undo();
 
-    /// The effect of an event on handles: it tells which things have to be drawn again.
+    /// The effect of an event on handles. It tells which things must be drawn again.
     enum class effect {
         none,    ///< the event means nothing to handles
         seen,    ///< only the handles must be drawn again; the surfaces are the same
@@ -103,7 +103,7 @@ public:
     effect pointer(const l3d_event& event, const l3d_handle_view& view);
 
     /// Draws nets and handles. `depth` holds the depths of the surfaces in the picture: lines and
-    /// handles behind these surfaces are pale. If it is null, none are pale.
+    /// handles behind these surfaces are pale. If `depth` is null, nothing is pale.
     void draw(l3d_rasterizer_2d& rasterizer, const l3d_handle_view& view,
               const l3d_depth_buffer* depth) const;
 
@@ -111,7 +111,7 @@ private:
     struct member {
         std::size_t surface, point;
     };
-    /// A handle's place and weights before a change, for undo.
+    /// A handle's place and weights before a change, for undo().
     struct state {
         std::size_t handle;
         vector place;
@@ -134,7 +134,8 @@ private:
     std::vector<std::vector<member>> members_;             ///< the control points of each handle
     std::vector<std::pair<std::size_t, std::size_t>> net_; ///< handles that lines join, each once
     std::optional<std::size_t> marked_;
-    std::optional<grab> grab_; ///< how the pointer holds the marked handle; none if it drags none
+    /// How the pointer holds the marked handle; empty unless the user drags it.
+    std::optional<grab> grab_;
     std::vector<state> undo_;
     /// The handle that is being changed, and the kind of change. Further steps of this change add
     /// no state to undo.

@@ -46,7 +46,8 @@ struct L3D_PUBLIC l3d_viewed {
 };
 
 /// Moves a viewer's camera by keys and mouse. The camera turns about its target, and is dragged and
-/// zoomed by the place under the pointer. It can show a model from its sides, and show all of it.
+/// zoomed by the place under the pointer. It can show the model from each of its sides, or show the
+/// whole model.
 ///
 /// Lives: borrows screen and camera.
 class L3D_PUBLIC l3d_view_steering {
@@ -62,7 +63,7 @@ public:
     /// reset, and at each change of the picture's size until the camera is moved.
     void set_home(std::function<l3d_camera()> home);
 
-    /// Returns to the first view: the camera of set_home, or else the one at construction.
+    /// Returns to the first view: the camera of set_home(), or else the camera at construction.
     void go_home();
     /// Moves the camera, without turning it, so that the picture shows the whole model.
     void frame_all();
@@ -129,7 +130,8 @@ private:
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the camera at construction: the first view if there is no home_
-    /// The camera that go_home or frame_all set; camera_ differs once it was moved.
+    /// The camera that go_home or frame_all set. Once the user has moved the view, camera_ differs
+    /// from it.
     l3d_camera kept_;
     bool is_home_ = false, is_framed_ = false; ///< whether go_home or frame_all set kept_
     vector upright_; ///< the model's direction up, even if the view is rolled or from above
@@ -166,8 +168,8 @@ public:
     /// Pictures per second, counted from the first picture of the last second to the last begin().
     /// It is 0 at rest.
     double per_second() const;
-    /// Time and rate as text for the user. At rest it is the time alone, and "" before the first
-    /// end().
+    /// Time and rate as text for the user. At rest, the text tells the time alone. Before the first
+    /// end(), it is "".
     std::string text() const;
 
 private:
@@ -187,7 +189,8 @@ struct L3D_PUBLIC l3d_viewer_row {
     const char* keys; ///< the names of the keys in the help
     const char* text; ///< the keys' effect, for the help
 
-    /// Each key, an ASCII code or l3d_key, with its action. Empty if other code acts on the keys.
+    /// The row's keys, each an ASCII code or l3d_key, with their actions. The list is empty if
+    /// other code acts on the keys.
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
@@ -294,7 +297,7 @@ public:
     /// The style of the panels, with letters of a size that suits the window and its display.
     l3d_panel_style panel_style() const;
 
-    /// Shows a hint, for some seconds or until the first key: that h lists all keys.
+    /// Shows the hint that the key h lists all keys, for some seconds or until the first key.
     void show_hint(double seconds) { hint_seconds_ = seconds; }
 
     /// Shows a line of text until the next key. Expects: the call comes from a key's action.
@@ -332,7 +335,7 @@ public:
     void draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
               const l3d_panel& legend = {}, const l3d_standing_panel& standing = {}) const;
 
-    /// The pace of the viewer's pictures. The viewer calls its begin() and end().
+    /// The pace of the viewer's pictures. The viewer calls the pace's begin() and end().
     l3d_picture_pace& pace() { return pace_; }
     /// The pace of the viewer's pictures, read-only.
     const l3d_picture_pace& pace() const { return pace_; }

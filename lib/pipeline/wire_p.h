@@ -66,8 +66,8 @@ inline constexpr std::uint32_t net_color = 0x00ff9030;
 /// Draws lines of one colour, either sharp or smooth.
 class wire_drawer {
 public:
-    /// Units: `width` in pixels. It is l3d_screen::text_scale: 1 on usual displays, more on finer
-    ///        ones.
+    /// Units: `width` of lines in pixels. It is l3d_screen::text_scale: 1 on usual displays, more
+    ///        on finer ones.
     wire_drawer(l3d_rasterizer_2d& rasterizer, std::uint32_t color, bool smooth, double width)
         : rasterizer_(rasterizer), color_(color), smooth_(smooth), width_(width) {}
 

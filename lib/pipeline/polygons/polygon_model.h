@@ -103,9 +103,10 @@ public:
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
     /// The unit normal of each vertex. A normal that the mesh gives is kept; all of them are
-    /// reversed if most point away from their faces' fronts. Without a normal in the mesh, it is
-    /// the mean of the normals of the faces around the vertex, weighted by area. A vertex without a
-    /// face has 0. At creases, corner_normal() has other normals.
+    /// reversed if most point away from their faces' fronts. If the mesh gives no normal for a
+    /// vertex, the vertex's normal is the mean of the normals of the faces around it, weighted by
+    /// area. A vertex without a face has the normal 0. At creases, corner_normal() has other
+    /// normals.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
     /// The normal that a triangle is lit with at a corner. It is the vertex's normal, another one
@@ -162,8 +163,8 @@ public:
         return contents_->textures;
     }
 
-    /// For each triangle, the colours of its corners or the picture that is blended over it. Empty
-    /// if no vertex has a colour and no material a texture.
+    /// For each triangle, the colours of its corners, or the picture that is blended over the
+    /// triangle. The list is empty if no vertex has a colour and no material has a texture.
     std::span<const l3d_painted_triangle> painted() const { return contents_->painted; }
 
     /// The corner of the model's box with the smallest x, y and z.
@@ -228,10 +229,10 @@ private:
 /// takes 0.7 GB.
 inline constexpr std::int64_t l3d_most_texture_pixels = std::int64_t{1} << 26;
 
-/// Reads the textures of a mesh, for l3d_polygon_model::textured: one for each of its pictures. The
-/// texture is null for a picture that no face shows, that cannot be read, or that is too large. For
-/// each picture that cannot be read or is too large, `notes` get a line with file and reason. So a
-/// bad picture does not keep a model from being shown.
+/// Reads the textures of a mesh, for l3d_polygon_model::textured: one for each of the mesh's
+/// pictures. The texture is null for a picture that no face shows, that cannot be read, or that is
+/// too large. For each picture that cannot be read or is too large, `notes` get a line with file
+/// and reason. So a bad picture does not keep a model from being shown.
 ///
 ///     std::vector<std::string> notes;
 ///     const l3d_polygon_model plain(mesh);
@@ -256,7 +257,7 @@ inline constexpr int l3d_usual_facets = 8;
 /// Patches as triangles, as l3d_tessellated makes them.
 struct L3D_PUBLIC l3d_patch_mesh {
     l3d_polygon_mesh mesh; ///< the triangles of all patches
-    /// For each patch, the number of faces up to the patch's last one.
+    /// For each patch, the number of faces of this patch and of all patches before it.
     std::vector<std::size_t> face_ends;
 };
 
@@ -265,7 +266,7 @@ struct L3D_PUBLIC l3d_patch_mesh {
 /// have the patch's material and part.
 ///
 /// Patches with a common boundary have the same points on the boundary, since these points depend
-/// on the boundary's control points alone, in either direction. Two patches' points at the same
+/// on the boundary's control points alone, in either direction. Points of two patches at the same
 /// place are one vertex, unless their normals differ, as at a crease. Triangles whose corners
 /// coincide, as at the teapot's knob, are left out.
 /// Expects: n >= 1.

@@ -31,7 +31,7 @@ struct placed_vertices {
     std::vector<normal> normals; ///< one for each place; unused if corners have other normals
 };
 
-/// The mapping from places in the model to places in the picture.
+/// The values by which vertices are placed in the picture.
 struct vertex_placing {
     const l3d_polygon_view& view;
     const l3d_dice_view& window;
@@ -57,7 +57,7 @@ struct triangle_choice {
 
 /// The triangles that were chosen, in the model's order.
 struct chosen_triangles {
-    /// Most triangles: 2 KB, less than the nearest cache holds.
+    /// The largest number of triangles. They take 2 KB, less than the nearest cache holds.
     static constexpr std::size_t room = 256;
     /// The sign bit of a float: marks a triangle that is seen from behind.
     static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31;

@@ -43,7 +43,7 @@ public:
         double right = 0, up = 0, forward = 0;
     };
 
-    point place = point::of(50, 5, 50); ///< its place in the world, in world units
+    point place = point::of(50, 5, 50); ///< the thing's place in the world, in world units
 
     /// The speed along each axis. Units: world units per second.
     by_axis velocity;
@@ -87,8 +87,8 @@ public:
     }
 
     /// Transforms the place and the axes by a matrix.
-    /// Errors: returns false, and changes nothing, if no axes can be made of the transformed ones,
-    ///         as of zeros.
+    /// Errors: returns false, and changes nothing, if the transformed axes do not define three
+    ///         perpendicular ones, such as zero vectors.
     bool transform(const l3d_matrix<T>& m);
 
     /// Flies on for this time. A subclass with another way of motion overrides this function.
@@ -101,7 +101,8 @@ public:
     /// function, too.
     virtual bool moves() const;
 
-    /// The matrix from world coordinates to those along the three axes, with the place as origin.
+    /// The matrix from world coordinates to coordinates along the three axes, with the place as
+    /// origin.
     l3d_matrix<T> viewing_transform() const;
     /// The inverse of viewing_transform(): the matrix from coordinates along the three axes, with
     /// the place as origin, to world coordinates.

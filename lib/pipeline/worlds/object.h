@@ -19,8 +19,8 @@
 
 class l3d_object;
 
-/// A plug-in: what an object does from frame to frame, if this comes from outside the object's
-/// class.
+/// A plug-in: the behaviour of an object from frame to frame, if this behaviour comes from outside
+/// the object's class.
 class L3D_PUBLIC l3d_object_behaviour {
 public:
     l3d_object_behaviour() = default;
@@ -58,8 +58,8 @@ public:
     /// Makes an object of these polygons. Expects: mesh.is_valid().
     explicit l3d_object(l3d_polygon_mesh mesh) { set_mesh(std::move(mesh)); }
     l3d_object& operator=(const l3d_object&) = delete;
-    /// Objects that hung from this one have no parent afterwards: their own matrices alone place
-    /// them.
+    /// Objects that hung from this one have no parent afterwards. Then only their own matrices
+    /// place them.
     virtual ~l3d_object();
 
     std::string name; ///< the object's name for messages; several objects may have the same name
@@ -91,7 +91,7 @@ public:
     /// Hangs the object to another one, its parent, whose placement then moves this object as well.
     /// Null makes the object stand in the world without a parent.
     /// Errors: returns false, and changes nothing, if the parent is the object itself or hangs from
-    ///         it.
+    ///         the object.
     /// Lives:  borrows the parent. When the parent is destroyed, the object has no parent any more.
     bool set_parent(l3d_object* parent);
     /// The object that this one hangs from; null if this one stands in the world.
@@ -129,7 +129,7 @@ private:
     std::vector<l3d_matrix<real>> transforms_;
     mutable l3d_matrix<real> product_ = l3d_identity<real>();
     mutable bool product_is_old_ = false;
-    /// Model(), made of the mesh once it is needed.
+    /// The result of model(), made of the mesh when it is first needed.
     mutable std::optional<l3d_polygon_model> model_;
     l3d_object* parent_ = nullptr;
     std::vector<l3d_object*> children_;

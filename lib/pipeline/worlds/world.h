@@ -21,7 +21,8 @@
 /// The order in which polygons are drawn.
 enum class L3D_PUBLIC l3d_draw_order {
     as_added, ///< in the order of addition: later polygons cover earlier ones
-    /// From far to near, by the mean distance of a polygon's corners; equally far ones as added.
+    /// From far to near, by the mean distance of a polygon's corners. Polygons that are equally far
+    /// are drawn in the order of addition.
     far_first,
     by_depth, ///< in any order: each pixel shows the polygon that is nearest there
 };
@@ -72,7 +73,7 @@ private:
     l3d_camera_left_handed<real> camera_{l3d_size{1, 1}};
     l3d_size size_{1, 1};
     l3d_matrix<real> viewing_ = l3d_identity<real>();
-    /// Vertices of one object, in the camera's coordinates; those that cuts make follow.
+    /// Vertices of one object in the camera's coordinates, followed by the vertices that cuts make.
     std::vector<l3d_point<real>> points_;
     std::vector<std::uint32_t> clipped_, before_; ///< corners of the polygon that is being clipped
     std::vector<l3d_point_2d> corners_;           ///< corners of all polygons
@@ -128,7 +129,7 @@ public:
     bool frozen = false;
 
     /// Puts an object into the world, after the others. This is allowed at any time: an object that
-    /// is added during an update takes part in the next one. Expects: not null.
+    /// is added during an update takes part in the next update. Expects: not null.
     /// Returns: the object.
     l3d_object& add(std::unique_ptr<l3d_object> object);
 

@@ -69,7 +69,7 @@ private:
     l3d_face_paints paints_;
     std::vector<const l3d_surface_part*> parts_;
     std::vector<l3d_painter_triangle> triangles_, of_object_; ///< triangles, for hidden lines
-    /// For each thread, workers of that one thread, for small objects.
+    /// For each thread, an l3d_workers of that thread alone, to place small objects.
     std::vector<std::unique_ptr<l3d_workers>> alone_;
     l3d_depth_buffer depth_;
 };

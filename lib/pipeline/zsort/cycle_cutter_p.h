@@ -17,11 +17,11 @@ namespace l3d_detail {
 /// Finds a painting order for a knot: a set of triangles that have no right painting order unless
 /// some triangles are cut.
 ///
-/// First, members of the knot that go through each other are cut at each other's planes, but only
-/// where they meet. Where two surfaces cross, each triangle along the curve gets a cut or two. Then
-/// planes of members divide all pieces of the cycles that are left, and of sets in which nearly all
-/// members cross. Pieces behind a plane are painted first, pieces in front of it last. The division
-/// always ends, since the same plane never divides a piece again.
+/// First, members that go through each other are cut at each other's planes, but only where they
+/// meet. Where two surfaces cross, each triangle along the curve gets a cut or two. This step is
+/// left out if most members go through several others. Then each set without an order is divided by
+/// the plane of one of its members. Pieces behind the plane are painted first, pieces in front of
+/// it last. The division always ends, since the same plane never divides a piece again.
 class cycle_cutter {
 public:
     /// The most members of a knot that is not searched for hidden members. In such a small knot,

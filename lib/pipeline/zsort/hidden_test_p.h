@@ -27,8 +27,8 @@ public:
     void forget() { parts_.clear(); }
 
     /// Tests the members of all tiles, if each cell of a tile is a pixel. In each pixel it finds
-    /// the item that the sort paints last, and compares the other items with this one. If the sort
-    /// is wrong in a tile, all members of the tile need an order.
+    /// the item that the sort paints last, and compares all further items of the pixel with this
+    /// item. If the sort is wrong in a tile, all members of the tile need an order.
     /// Expects: the numbers of all items are less than `numbers`.
     /// Returns: the number of pairs that were compared.
     std::int64_t find(const painter_tiles& tiles, const painter_pairs& pairs, std::size_t numbers,

@@ -65,7 +65,7 @@ public:
     /// Orders all triangles. Expects: all chunks were noted.
     void finish();
 
-    /// The triangles that were given. Pieces and cuts refer to their indices.
+    /// The triangles that were given. Pieces and cuts refer to triangles by their indices.
     std::span<const l3d_painter_triangle> triangles() const;
 
     /// The pieces of triangles, in the order in which they are to be painted.

@@ -29,10 +29,10 @@ struct front_parts {
     bool mixed() const { return first && second; }
 };
 
-/// The part of a depth by which two triangles' depths must differ to count as different. The depth
-/// is that of a nearest corner: of the two triangles' nearest corners, the farther one. The part is
-/// 2^-12 of the difference that a depth buffer of floats tells apart, and 2^17 times the rounding
-/// of doubles.
+/// Depths of two triangles count as different only if they differ by more than this share of a
+/// reference depth. The reference is the farther one of the two triangles' nearest corners. The
+/// share is 2^-12 of the difference that a depth buffer of floats tells apart, and 2^17 times the
+/// rounding of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
 /// Whether the insides of two triangles meet, decided exactly. If they do not meet, the triangles

@@ -31,8 +31,9 @@ struct painter_entry {
     std::uint16_t begins_before = 0;
     std::uint16_t is_exact = 0; ///< whether the cells are just the pixels that the triangle covers
 
-    /// Whether two triangles may have a pixel in common in this tile, and in no earlier tile. So
-    /// each pair of triangles is found once, except pairs with one exact entry.
+    /// Whether two triangles may have a pixel in common in this tile. Without exact entries, it is
+    /// true only in the first tile in which two triangles meet, so that each pair is found once.
+    /// Pairs with an exact entry may be found in several tiles.
     bool may_meet(const painter_entry& other) const {
         return (cells & other.cells) != 0 && (begins_before & other.begins_before) == 0;
     }
