@@ -113,10 +113,10 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_kept_work keep{};
 
     /// Whether surfaces show only their front, the side that dS/du x dS/dv points to. A patch is
-    /// left out if all of it turns its back to the eye. Otherwise, those of the patch's sixteen
-    /// blocks are left out that turn only backs to the eye. A block with a front and a back is
-    /// drawn whole. The front depends on the model, not on its placement: a mirrored model shows
-    /// the same side.
+    /// left out if all of it turns its back to the eye. Otherwise, each of the patch's sixteen
+    /// blocks is left out if all of the block turns its back to the eye. A block that shows both a
+    /// front and a back is drawn whole. The front depends on the model, not on its placement: a
+    /// mirrored model shows the same side.
     bool one_sided = false;
 
     /// Whether the depth of each pixel is kept, for depth() and distances().

@@ -20,16 +20,16 @@ class l3d_options;
 struct L3D_PUBLIC l3d_backend {
     std::string name;    ///< the back-end's name, as --backend takes it
     std::string purpose; ///< the back-end's use, in a few words
-    /// Whether it is taken without a question if it is the first that can serve.
+    /// Whether the back-end is chosen without a question if it is the first row that can serve.
     bool automatic = false;
-    bool on_display = false;   ///< whether it needs a display
+    bool on_display = false; ///< whether the back-end needs a display
     bool unseen = false;       ///< whether nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< whether it writes its pictures to files itself
-    /// Whether the row is a variant of another row, as mesa:egl is of mesa. The list of
-    /// --list-backends has such a row; the prompt does not.
+    /// Whether the row is a variant of another row, as mesa:egl is of mesa. --list-backends lists
+    /// variants; the prompt does not.
     bool variant = false;
     std::unique_ptr<l3d_screen_factory> screen_factory; ///< makes the back-end's screens
-    /// Makes its rasterizers; canvases share the factory.
+    /// Makes the back-end's rasterizers; canvases share the factory.
     std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory;
     std::unique_ptr<l3d_dispatcher_factory>
         dispatcher_factory; ///< Makes the event loops of programs on this back-end.
@@ -79,8 +79,8 @@ public:
 
     /// Makes a window for a notice that is shown before choose(), such as on a long reading. The
     /// window is that of the first automatic back-end that can open one.
-    /// Errors:  null if the options or the environment name a back-end without a window, or if no
-    ///          window opens.
+    /// Errors:  null if the options or the environment name a back-end that has no windows, or if
+    ///          no window opens.
     std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,
                                               const l3d_screen_request& request) const;
 

@@ -19,9 +19,9 @@ namespace l3d_detail {
 ///
 /// First, members that go through each other are cut at each other's planes, but only where they
 /// meet. Where two surfaces cross, each triangle along the curve gets a cut or two. This step is
-/// left out if most members go through several others. Then each set without an order is divided by
-/// the plane of one of its members. Pieces behind the plane are painted first, pieces in front of
-/// it last. The division always ends, since the same plane never divides a piece again.
+/// left out if more than three such pairs come on each member. Then each set without an order is
+/// divided by the plane of one of its members. Pieces behind the plane are painted first, pieces in
+/// front of it last. The division always ends, since the same plane never divides a piece again.
 class cycle_cutter {
 public:
     /// The most members of a knot that is not searched for hidden members. In such a small knot,

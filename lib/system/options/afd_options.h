@@ -17,7 +17,7 @@
 /// Adds options for model, accuracy, camera and shading to the command line of a program, and makes
 /// models, cameras and settings of them.
 ///
-/// Lives:   borrows the l3d_options; these borrow this object until parse() is done.
+/// Lives:   borrows the l3d_options, which borrow this object until parse() is done.
 class L3D_PUBLIC l3d_afd_options {
 public:
     /// Adds the options to `options`.
@@ -27,14 +27,15 @@ public:
 
     /// The camera that --eye, --target and the other options of the view ask for. Values that are
     /// not given come from the camera of --file-camera, or else from teapot_view(), turned so that
-    /// the direction of --up is up.
+    /// the direction of --up points up.
     /// Errors:  l3d_error(usage) that names the option, if the values do not make a camera, or if
-    ///          the file has no camera of the name; l3d_error(bad_input) as file().
+    ///          the file has no camera with the name that --file-camera gives; l3d_error(bad_input)
+    ///          as file().
     l3d_camera camera() const;
 
-    /// The camera of camera() if places_camera(). Otherwise `framed` makes of that camera one that
-    /// shows the model, and --near still sets its near plane. If `framed` changes the camera, the
-    /// model of a file is seen from higher up than the teapot.
+    /// The camera of camera() if places_camera() is true. Otherwise `framed` turns this camera into
+    /// one that shows the model; --near still sets the near plane. If `framed` changes the camera,
+    /// models of files are seen from higher up than the teapot.
     /// Errors:  as camera().
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
