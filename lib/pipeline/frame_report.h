@@ -119,10 +119,10 @@ struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
 
 /// The report of one frame of polygons.
 struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
-    l3d_polygon_times time_ms;      ///< times of the stages, in milliseconds
-    std::int64_t faces = 0;         ///< faces of the model
-    std::int64_t triangles = 0; ///< triangles of the model's faces
-    l3d_polygon_counts polygons;    ///< triangles drawn, and left out by reason
+    l3d_polygon_times time_ms;   ///< times of the stages, in milliseconds
+    std::int64_t faces = 0;      ///< faces of the model
+    std::int64_t triangles = 0;  ///< triangles of the model's faces
+    l3d_polygon_counts polygons; ///< triangles drawn, and left out by reason
     /// Counts of the work of ordering triangles; zeros with a depth buffer.
     l3d_painter_order_counts order;
 

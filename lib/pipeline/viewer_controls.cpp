@@ -207,8 +207,8 @@ bool l3d_viewer_controls::pointer(const l3d_event& event) {
 
 namespace {
 
-/// The angle between two places' normals in words. Errors of the normals of length e change the
-/// angle by at most 2 asin(e / 2); rounding adds to this.
+/// The angle between two places' normals in words. An error of length e in a unit normal changes
+/// the angle by at most 2 asin(e / 2). Rounding adds to this.
 std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
     const double sine = l3d_length(l3d_cross(a.normal, b.normal));
     const double cosine = l3d_dot(a.normal, b.normal);
@@ -223,8 +223,8 @@ std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
 
 } // namespace
 
-/// Measures at a place in the picture, at a click with Ctrl. The first click of two tells the
-/// place, and the second click the distance from there.
+/// Measures at a place in the picture, at a click with Ctrl. The first of two clicks tells its
+/// place, and the second click tells the distance from this place.
 void l3d_viewer_controls::measure(double x, double y) {
     if (!viewed_.place_at)
         return;
@@ -357,8 +357,8 @@ namespace {
 
 constexpr std::chrono::seconds span{1};
 
-/// The number of pictures that count for the means: those that began before the last one, or 1 for
-/// a single picture.
+/// The number of pictures that count for the means. These are the pictures that began before
+/// `begin`, the last beginning of a picture. A single picture counts in any case.
 template <class Pictures>
 std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point begin) {
     return done.size() - (done.size() > 1 && done.back().begin == begin ? 1 : 0);

@@ -22,7 +22,7 @@ struct L3D_PUBLIC l3d_backend {
     std::string purpose; ///< the back-end's use, in a few words
     /// Whether the back-end is chosen without a question if it is the first row that can serve.
     bool automatic = false;
-    bool on_display = false; ///< whether the back-end needs a display
+    bool on_display = false;   ///< whether the back-end needs a display
     bool unseen = false;       ///< whether nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< whether it writes its pictures to files itself
     /// Whether the row is a variant of another row, as mesa:egl is of mesa. --list-backends lists

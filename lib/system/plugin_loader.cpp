@@ -43,7 +43,7 @@ constexpr std::uint32_t most_transforms = 16;
 
 // ---- what the host does ------------------------------------------------------------------------
 
-/// The number that bounds the absolute values of all numbers of type T, up to rounding.
+/// The largest absolute value of a number of type T, up to rounding.
 template <class T> constexpr double end_of() {
     if constexpr (std::floating_point<T>)
         return std::numeric_limits<T>::max();
@@ -192,8 +192,8 @@ private:
     void* handle_;
 };
 
-/// The reason why a library is no usable plug-in; empty if it is one. If the library did not open,
-/// the reason has the system's own words after the file's name.
+/// The reason why a library is no usable plug-in; empty if the library is one. If the library did
+/// not open, the reason has the system's own words after the file's name.
 std::string fault_of(const library& opened, const std::string& file) {
     if (!opened.is_open()) {
         const std::string words = dlerror();

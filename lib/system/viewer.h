@@ -67,7 +67,8 @@ public:
             polygons_ += report.surface.quads;
     }
 
-    /// Adds a line to the report, if --report asked for one.
+    /// Adds the frame's line to the file of --report, if there is one. It also tells once who
+    /// draws, if the user asked for OpenGL.
     void frame_event(const l3d_frame_times& times) override {
         Pipeline::frame_event(times);
         if (!wants_gl_ && !reports_)

@@ -89,8 +89,8 @@ std::string name_of(const TDF_Label& label) {
 }
 
 /// The path of a part: the names from the top of the assembly down to the part, separated by
-/// slashes. If the file has only one part or assembly at the top, its name is left out, unless it
-/// is the part's own.
+/// slashes. If the file has only one part or assembly at the top, the path leaves out the name at
+/// the top, unless it is the part's own name.
 std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     std::string path;
     const int depth = at.CurrentDepth();
@@ -106,7 +106,8 @@ std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     return path.empty() ? "part" : path;
 }
 
-/// Whether a placement only turns and moves, so that it keeps lengths and the side that is outside.
+/// Whether a placement only turns and moves. Such a placement keeps lengths, and the outside of a
+/// body stays outside.
 bool is_rigid(const TopLoc_Location& place) {
     constexpr double rounding = 1e-12;
     const gp_Trsf by = place.Transformation();
@@ -211,8 +212,8 @@ private:
         to_.number(one.opacity);
     }
 
-    /// Sets the look of the faces and curves that follow. Without a look, they have the look of the
-    /// part that places their shape.
+    /// Sets the look of the faces and curves that are written next. Without a look, they get the
+    /// look of the part that places their shape.
     void use(const std::optional<look>& now) {
         if (look_ == now)
             return;

@@ -39,8 +39,8 @@ constexpr double trim_share = 1e-9;
 /// The library l3d allows gaps of 2^-20 of the extent (l3d_trims_complaint).
 constexpr double gap_share = 0x1p-22;
 /// The farthest that a trimming curve may reach beyond its surface's parameters, in multiples of
-/// the face's range. Curves of sound files do so only by rounding, or by a period. Farther away,
-/// doubles give places no more exactly than trim_share.
+/// the face's range. Curves of sound files reach beyond only by rounding, or by a period. Farther
+/// away, doubles give places no more exactly than trim_share.
 constexpr double most_ranges_beyond = 0x1p12;
 /// The most turns of a surface about its axis, as for a screw's thread. A thread of so many turns
 /// takes some 10^4 pieces.
@@ -157,9 +157,9 @@ double size_of(const std::vector<point>& points) {
     return std::sqrt(box.SquareExtent());
 }
 
-/// Moves the range low to high of a face's parameter u or v, as hulls of the face's curves give it,
-/// into the surface's range. A turn about an axis may be longer than one period, as that of a
-/// thread is.
+/// Fits a face's range of one parameter, u or v, into the surface's range. `low` and `high` are the
+/// range's ends, as hulls of the face's curves give them. If the parameter turns about an axis
+/// (`is_turn`), the range may be longer than one period, as for a screw's thread.
 void fit(double& low, double& high, const std::array<double, 2>& optimal, double period,
          bool is_turn, double first, double last) {
     if (period == 0) {

@@ -33,8 +33,8 @@ inline void reflect_at_boundaries(net& p, unsigned boundary) {
     }
 }
 
-/// The Bezier points of one patch of a uniform B-spline with 4 x 4 control points. These points
-/// form 3 x 3 squares, and the patch belongs to the middle square.
+/// The 4 x 4 control points of a uniform B-spline form 3 x 3 squares. Returns the Bezier points of
+/// the patch that belongs to the middle square.
 ///
 /// The order of additions does not depend on the direction in which control points are counted. So
 /// two neighbours compute the same bits for their common side.

@@ -60,8 +60,8 @@ place point_of(const std::array<net, 3>& of, std::size_t k) {
 }
 
 /// Gives all patches that meet at a vertex or along an edge the same control points there, bit for
-/// bit. They are the points of the coarsest patch, or of its side's halves where the other patches
-/// are half as large.
+/// bit. These are the points of the coarsest patch. Where neighbours are half as large, they are
+/// the points of the halves of its side.
 class common_borders {
 public:
     explicit common_borders(const refined_mesh& mesh) : mesh_(mesh) {
@@ -73,7 +73,8 @@ public:
         }
     }
 
-    /// Replaces control points on the sides of a leaf's patch by the common ones.
+    /// Replaces the control points on the sides of a leaf's patch by the points common to all
+    /// patches there.
     /// Expects: it is called for coarser leaves before finer ones, and in each level for exact
     ///          patches first. Returns the largest distance by which a control point was moved.
     double unite(const leaf& of, std::array<net, 3>& patch) {

@@ -61,7 +61,7 @@ struct l3d_pipeline_afd::stages {
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
     l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent instances
-    l3d_image mixed; ///< the next picture that `mix` adds to its mean
+    l3d_image mixed;               ///< the next picture that `mix` adds to its mean
     l3d_detail::depth_lines lines; ///< kept to reuse the memory
     /// The edges of models as lines, by the models' identities.
     std::map<const void*, std::vector<l3d_space_curve>> edges;

@@ -27,7 +27,7 @@ corner_tree::corner_tree(std::span<const flat_place> places)
         position_[order_[i]] = i;
 }
 
-/// Makes a node: fills its box, sorts its corners into halves, and makes the halves.
+/// Makes a node: fills its box, sorts its corners into halves, and makes the nodes of the halves.
 void corner_tree::make(const half& of) {
     const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(of.begin);
     const auto end = order_.begin() + static_cast<std::ptrdiff_t>(of.end);

@@ -60,8 +60,8 @@ point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
     return {unit[0], unit[1], unit[2]};
 }
 
-/// Reverses normals that point to the back of the facets around them. This happens where a patch
-/// folds within less than a facet, as the teapot does at the top of its knob.
+/// Reverses the normals of vertices that point to the back of the facets around the vertex. This
+/// happens where a patch folds within less than a facet, as the teapot does at the top of its knob.
 void turn_to_faces(l3d_polygon_mesh& mesh) {
     std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
     for (std::size_t f = 0; f < mesh.faces(); ++f) {

@@ -116,7 +116,7 @@ struct L3D_PUBLIC l3d_polygon_pick {
     /// Indices of the vertices of the triangle that the ray meets.
     std::array<std::uint32_t, 3> corners{};
     std::array<double, 3> weights{}; ///< weights with which the point is the mean of the corners
-    double weights_error = 0;               ///< error of each weight
+    double weights_error = 0;        ///< error of each weight
 
     l3d_camera::vector point{0.0, 0.0, 0.0}; ///< the point in the world
     double point_error = 0;                  ///< error of the point, in world units

@@ -182,7 +182,7 @@ public:
     }
 
     /// Compares a triangle's box with the window. The first two lanes are columns and rows. The
-    /// third is inv_w, which is ordered like its bits.
+    /// third lane is inv_w, which is ordered like its bits.
     HWY_INLINE box_place of(const std::int32_t* a, const std::int32_t* b,
                             const std::int32_t* c) const {
         const quad_integers d;

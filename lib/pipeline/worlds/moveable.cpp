@@ -7,7 +7,7 @@
 
 namespace {
 
-/// The shares of velocity and of spin that damping leaves after one update of the book.
+/// Damping leaves these shares of velocity and of spin after one update of the book.
 constexpr double kept_velocity = 0.95;
 constexpr double kept_spin = 0.85;
 
@@ -21,8 +21,8 @@ constexpr double twist_step = 5 * l3d_book_rate;
 constexpr double largest_velocity = 90 * l3d_book_rate;
 constexpr double largest_spin = 95 * l3d_book_rate;
 
-/// Motion slower than this counts as rest. The way that is left out is below 0.01 / 60 * 19 =
-/// 0.0032 units, or 0.05 / 60 * 5.7 = 0.0048 degrees.
+/// Motion slower than this counts as rest. The motion that is left out is shorter than 0.01 / 60 *
+/// 19 = 0.0032 units, or 0.05 / 60 * 5.7 = 0.0048 degrees.
 constexpr double slowest_velocity = 0.01;
 constexpr double slowest_spin = 0.05;
 

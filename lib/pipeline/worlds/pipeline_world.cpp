@@ -17,7 +17,7 @@ constexpr double largest_thrust = 3 * l3d_book_rate;
 constexpr double fov_step = 0.1;
 constexpr double least_fov = 0.05; // 169 degrees
 
-/// The number of frames whose mean the frame rate is.
+/// The frame rate is the mean over this number of frames.
 constexpr int frames_of_mean = 64;
 
 l3d_draw_order after(l3d_draw_order order) {

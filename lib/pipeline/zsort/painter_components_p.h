@@ -74,7 +74,7 @@ private:
 
     struct mark {
         std::uint32_t index; ///< number of nodes that were seen before this one
-        std::uint32_t low; ///< least index of the open nodes that this node is known to reach
+        std::uint32_t low;   ///< least index of the open nodes that this node is known to reach
     };
 
     struct call {

@@ -19,8 +19,8 @@ namespace {
 
 using namespace l3d_detail;
 
-/// A need that the sort does not meet: an item that must be painted after another one, although the
-/// sort puts it before.
+/// A need that the sort does not meet: one item must be painted after a second item, although the
+/// sort puts the first before the second.
 struct late_need {
     order_node item, before;
 
@@ -108,9 +108,9 @@ struct l3d_painter_order::work_space {
     cycle_cutter knot;
     std::vector<l3d_painter_piece> ordered; ///< pieces of items that need an order
     std::vector<l3d_painter_cut> cuts;
-    std::vector<std::size_t>
-        /// For each chunk, the index of its first wholly seen piece; and the end of all.
-        chunk_begins;
+    /// For each chunk, the index of the first piece that is seen wholly. The last entry is the end
+    /// of all pieces.
+    std::vector<std::size_t> chunk_begins;
     /// All pieces, the ordered ones first. The vector never shrinks, since growing it again would
     /// write all new pieces.
     std::vector<l3d_painter_piece> pieces;
@@ -130,8 +130,8 @@ struct l3d_painter_order::work_space {
         l3d_radix_sort(keys, other_keys);
     }
 
-    /// Finds, for each item, the items that it needs although they are sorted after it. One worker
-    /// sorts at the same time.
+    /// Finds, for each item, the needed items that are sorted after the item. One worker sorts at
+    /// the same time.
     void sort_and_find_late() {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
         workers.for_each(1 + tiles.rows(), [&](int task, int worker) {
@@ -189,8 +189,8 @@ struct l3d_painter_order::work_space {
         });
     }
 
-    /// Adds to `out` the items that must be painted before an item, since it is in front of them
-    /// somewhere.
+    /// Adds to `out` the items that must be painted before the item `node`, since `node` is
+    /// somewhere in front of each of these items.
     void find_needed(order_node node, bool in_turn, std::vector<order_node>& out,
                      l3d_painter_order_counts& counts) {
         if (!in_turn)

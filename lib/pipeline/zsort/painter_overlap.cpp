@@ -53,9 +53,9 @@ void clip(std::span<const picture_point> polygon, const Inside& inside, picture_
     }
 }
 
-/// Finds which of two triangles is in front, by more than `tie`, at the corners of one of the two.
-/// `plane` is the other triangle's plane of depth. `corners_are_first` tells whether `corners` are
-/// those of the first triangle.
+/// Finds which of two triangles is in front, by more than `tie`, at the corners of one of the
+/// triangles. `corners` are these corners, and `plane` is the depth plane of the other triangle.
+/// `corners_are_first` tells whether `corners` belong to the first triangle.
 front_parts front_at_corners(const triangle& corners, const l3d_picture_plane& plane, double tie,
                              bool corners_are_first) {
     front_parts front;

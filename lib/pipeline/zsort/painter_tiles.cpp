@@ -45,7 +45,7 @@ std::size_t painter_tiles::tiles_of(const painter_item& item) const {
 }
 
 /// Divides the items into one share for each worker. Shares consist of whole chunks, and are as
-/// equal as these allow.
+/// equal as chunks allow.
 void painter_tiles::share_out(const painter_items& items, int workers) {
     shares_.resize(static_cast<std::size_t>(workers));
     std::size_t chunk = 0, count = 0;

@@ -29,7 +29,7 @@
 struct L3D_PUBLIC l3d_common_options {
     std::string backend;               ///< back-end's name, "ask" or "auto"; empty if not given
     std::string usual_backend{};       ///< back-end to take if the user names none; empty for any
-    bool no_input = false; ///< whether the user is never asked which back-end to take
+    bool no_input = false;             ///< whether the user is never asked which back-end to take
     bool list_backends = false;        ///< whether to list the back-ends and end
     bool diagnose = false;             ///< whether to tell what back-ends depend on, and end
     bool verbose = false;              ///< whether to tell which back-end was chosen
