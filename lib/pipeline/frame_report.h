@@ -12,7 +12,8 @@
 #include <limits>
 #include <string>
 
-/// Times of the stages that frames of patches and of polygons share, by the monotonic clock.
+/// Times of the stages that are common to frames of patches and frames of polygons, by the
+/// monotonic clock.
 /// Units: milliseconds.
 struct L3D_PUBLIC l3d_common_times {
     double raster = 0;  ///< clearing and filling the picture: coverage, depth, shading, lines
@@ -52,7 +53,8 @@ struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
 /// The report of one frame of patches.
 struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     double tolerance_px = 0; ///< the permitted error of places in the picture, in pixels
-    /// Distance of the near plane: the camera's, or a farther one that rounding needs.
+    /// Distance of the near plane that was used. It is the camera's, or farther if rounding needs
+    /// it.
     double near_z = 0;
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
@@ -105,7 +107,8 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< triangles to be ordered
     std::int64_t pairs = 0; ///< pairs of triangles that were compared, since they may share pixels
-    /// Sets of triangles that hide each other in a circle: without cuts they have no right order.
+    /// The number of sets of triangles that hide each other in a circle. Without cuts, such a set
+    /// has no right painting order.
     std::int64_t knots = 0;
     std::int64_t knotted = 0; ///< triangles in the knots
     std::int64_t cuts = 0;    ///< triangles and pieces cut in two

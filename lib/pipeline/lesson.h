@@ -78,9 +78,9 @@ private:
     bool is_classic_;
     l3d_background ground_;
     bool stopped_ = false;
-    bool is_stale_ = true; ///< the next picture may differ from the last one
-    bool is_bare_ = true;  ///< there is no last picture to draw on
-    bool is_held_ = false; ///< the first button is held
+    bool is_stale_ = true; ///< whether the next picture may differ from the last picture
+    bool is_bare_ = true;  ///< whether there is no last picture to draw on
+    bool is_held_ = false; ///< whether the first mouse button is held
     int x_ = 0, y_ = 0;    ///< the pointer's last place
 };
 

@@ -18,8 +18,8 @@ l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d
     : workers_(workers), surface_(rasterizers.create_surface(workers)), used_(surface_.get()),
       dicer_(workers) {}
 
-/// The rasterizer for a shading. It is the canvas's rasterizer, unless this one, such as OpenGL,
-/// cannot draw inspecting shades or fog. Then it is the library's own rasterizer.
+/// The rasterizer for a shading. It is the canvas's rasterizer if that can draw the shading. OpenGL
+/// cannot draw inspecting shades and fog: these need the library's own rasterizer.
 template <class T>
 l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(const l3d_shading& shading) {
     const bool is_special = l3d_sees_patches(shading.mode) || shading.fog.is_on();

@@ -18,9 +18,10 @@
 
 /// A part of a model, with the user's choices for the part.
 struct L3D_PUBLIC l3d_listed_part {
-    std::string name;                 ///< the part's name in the model
-    bool is_hidden = false;           ///< whether the part is not to be drawn
-    std::optional<l3d_color> color{}; ///< the part's colour; none stands for the model's own
+    std::string name;       ///< the part's name in the model
+    bool is_hidden = false; ///< whether the part is not to be drawn
+    /// The part's colour; nothing stands for its colour in the model.
+    std::optional<l3d_color> color{};
 
     friend bool operator==(const l3d_listed_part&, const l3d_listed_part&) = default;
 };
@@ -55,10 +56,11 @@ public:
     /// The chosen part; null if none is chosen.
     const l3d_listed_part* chosen() const { return chosen_ ? &parts_[*chosen_] : nullptr; }
 
-    /// Chooses the part that is `step` parts after the chosen one; the first follows the last. If
-    /// no part is chosen yet, a step of 1 chooses the first part, and a step of -1 the last.
+    /// Chooses the part that is `step` parts after the chosen part. After the last part, it goes on
+    /// with the first part. If no part is chosen yet, a step of 1 chooses the first part, and a
+    /// step of -1 the last.
     std::string choose_next(int step = 1);
-    /// Chooses the part of this name, such as one that was picked; "" chooses none.
+    /// Chooses the part of this name, such as a part that was picked; "" chooses none.
     void choose(const std::string& name);
     /// Hides the chosen part, or shows it again. If no part is chosen, the list first chooses the
     /// model's first part.
@@ -97,7 +99,8 @@ public:
     bool pointer(const l3d_event& event, std::string& said);
 
 private:
-    /// A line of the list: a part, or the common beginning of the names of parts below it.
+    /// A line of the list. It is a part, or a group: the common beginning of the names of the parts
+    /// below.
     struct line {
         std::string text;
         std::size_t first, end; ///< indices of the line's parts: from `first` to before `end`

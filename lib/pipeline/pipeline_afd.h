@@ -59,7 +59,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_inspection inspection{};
 
     /// The function whose values l3d_shade::own shows. Only the library's own method draws this
-    /// shade. If the same function gives other values than before, call redraw().
+    /// shade. If the function starts to give other values, call redraw().
     l3d_own_shade own{};
 
     /// Whether viewers draw the scale of an inspecting shade into the picture.
@@ -68,8 +68,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The direction towards the light. Units: world space, any length.
     l3d_vector<double, 3> light = l3d_usual_light;
 
-    /// The colours of lights, and further lights. With other lights than the usual one, or with
-    /// highlights, the report's bound of shades holds for each colour channel, and is larger.
+    /// The colours of lights, and further lights. With highlights, or with lights other than the
+    /// usual light, the report's bound of shades holds for each colour channel, and is larger.
     /// error_map() bounds each pixel more closely.
     l3d_lighting lighting{};
 
@@ -82,8 +82,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool antialias = true;
 
     /// The fog that far surfaces fade into. Only the library's own method draws fog, for shades of
-    /// light and normals. The certified bound of shades then includes the effect of errors of depth
-    /// on the fog (NUMERICS, section 23).
+    /// light and normals. In fog, the certified bound of shades is larger, since an error of depth
+    /// changes the amount of fog (NUMERICS, section 23).
     l3d_fog fog{};
 
     /// The way to look up the colours of pictures that lie on patches (l3d_patch_scene::lay). Only
@@ -105,8 +105,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool net = false;
 
     /// Whether edges are drawn as black lines, where no surface hides them. Edges are the curves at
-    /// which trimmed faces end. In a model without such curves, edges are the borders of trims, and
-    /// the sides of patches that are open or creased.
+    /// which trimmed faces end. If the model stores no such curves, edges are the borders of trims,
+    /// and the sides of patches that are open or creased.
     bool edges = false;
 
     /// Work that frames do although they could skip it; for benchmarks.
@@ -126,8 +126,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool count_pixels = false;
 
     /// The budget of a frame for patches that have to be cut or clipped (l3d_dice_budget). 0 stands
-    /// for l3d_usual_samples. If the budget does not suffice, the other patches are drawn coarsely,
-    /// and the certified bound includes their error.
+    /// for l3d_usual_samples. If the budget does not suffice, some of these patches are drawn
+    /// coarsely. The certified bound includes the error of such patches.
     std::int64_t most_samples = 0;
 
     /// Whether the pixels that an outline may cross are kept, for outlines(), and counted in the

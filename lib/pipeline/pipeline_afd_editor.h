@@ -56,7 +56,8 @@ public:
     /// The weight of a handle's first control point. Expects: handle < count().
     double weight(std::size_t handle) const;
     /// The name of a handle for the user: surface, row and column of its first control point,
-    /// counted from 1. The surface is left out if there is only one. Expects: handle < count().
+    /// counted from 1. The name leaves out the surface if there is only one surface. Expects:
+    /// handle < count().
     std::string name(std::size_t handle) const;
 
     /// Finds the handle nearest to (x, y) of the picture. Among handles that are about equally
@@ -146,10 +147,12 @@ private:
 /// Keys show the handles, undo changes, and save. A panel tells the error bound, times, and the
 /// handle under the pointer.
 ///
-/// Expects: the scene is one opaque instance, placed without a transform. For any other number of
-///          instances, or a transparent one, the key for handles says why it shows none.
+/// Expects: the scene is one opaque instance, placed without a transform. For another number of
+///          instances, or a transparent instance, the key for handles shows a reason instead of
+///          handles.
 /// Cost:    after a change the whole model is made again before the next frame. This takes some 10
-///          us a bicubic patch, and more for other pieces. The panel tells the time.
+///          us for a bicubic patch, and more for a piece that is not bicubic. The panel tells the
+///          time.
 class L3D_PUBLIC l3d_pipeline_afd_editor : public l3d_pipeline_afd_viewer {
 public:
     /// Makes a viewer that shows no handles yet. Errors: as l3d_pipeline_afd.
@@ -169,8 +172,8 @@ public:
     /// The handles; null until edit(), or the key that shows handles, makes them.
     const l3d_control_handles* handles() const { return handles_ ? &*handles_ : nullptr; }
 
-    /// Sets the function that the key S calls with the surfaces; without one the key does nothing.
-    /// The function returns a line to show, such as the file's name.
+    /// Sets the function that the key S calls with the surfaces; without a function the key does
+    /// nothing. The function returns a line to show, such as the file's name.
     void set_saver(std::function<std::string(std::span<const l3d_nurbs_surface>)> save) {
         save_ = std::move(save);
     }

@@ -84,7 +84,7 @@ void l3d_pipeline_afd_viewer::take_next_shade() {
                        : ""));
 }
 
-/// Takes the next inspecting shade; after the last one, it takes the shade of light.
+/// Takes the next inspecting shade. After the last inspecting shade, it takes the shade of light.
 void l3d_pipeline_afd_viewer::take_next_inspection() {
     if (!settings().method.is_default())
         return controls_.say("no exact derivatives of " + settings().method.name());

@@ -92,8 +92,8 @@ public:
     void rest_event(double seconds) override;
 
 protected:
-    /// The title of the scale of colours in mode `error`. A subclass whose scale shows other errors
-    /// than bounds overrides this function.
+    /// The title of the scale of colours in mode `error`. A subclass whose scale shows errors that
+    /// are no bounds overrides this function.
     virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
     /// A panel that a subclass shows in every picture. The viewer's own panels do not cover it.

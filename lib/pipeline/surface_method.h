@@ -87,7 +87,7 @@ public:
 
     /// The counts of patches and the error bounds of the last frame.
     const l3d_dice_counts& counts() const { return do_counts(); }
-    /// The counts of the work of filling the last frame, with the number of covered pixels.
+    /// Counts of the work while the last frame was filled, with the number of covered pixels.
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
     /// The pixels of the last frame that an outline may cross, so that it is not certain which

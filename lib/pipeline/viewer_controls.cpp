@@ -316,8 +316,8 @@ void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
 }
 
-/// Places and draws the panels. The message gets its place first. The help gets its place next if
-/// it would find too little room after the other panels.
+/// Places and draws the panels. The message gets its place first. The help gets its place next, if
+/// too little room would be left after all other panels.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
     draw_marks(rasterizer);
@@ -366,8 +366,8 @@ std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point be
 
 } // namespace
 
-/// Notes the beginning of a picture, and drops pictures of more than a second ago. The last one is
-/// kept in any case, since it tells how long drawing takes.
+/// Notes the beginning of a picture, and drops pictures of more than a second ago. The last picture
+/// is kept in any case, since it tells how long drawing takes.
 void l3d_picture_pace::begin() {
     begin_ = now_();
     follows_ = !done_.empty() && begin_ - done_.back().end <= span;

@@ -31,7 +31,7 @@ struct L3D_PUBLIC l3d_pointed_place {
     std::string text; ///< a line of text about the surface at `place`, for the user
     /// The unit normal of the surface at `place`, turned to the eye; zero if there is no normal.
     l3d_camera::vector normal{0.0, 0.0, 0.0};
-    /// The largest length of the difference of `normal` from the exact one.
+    /// The largest length of the difference of `normal` from the exact normal.
     double normal_error = 0;
 };
 
@@ -93,7 +93,7 @@ public:
     /// The three numbers are the direction's coordinates along the axes of l3d_upright: (0, 0, 1)
     /// looks from the front. Expects: not all 0.
     void look_from(double right, double up, double front);
-    /// Switches between perspective and parallel projection. Returns true if the new one is
+    /// Switches between perspective and parallel projection. Returns true if the new projection is
     /// parallel.
     bool switch_projection();
     /// Moves the eye to the opposite side of the target.
@@ -103,9 +103,9 @@ public:
     /// picture, which the eye turns about. Returns false if no surface is at (x, y).
     bool turn_about(double x, double y);
 
-    /// The position in the picture of a place in the world, in the coordinates of rasterizers:
-    /// whole numbers are the middles of pixels. In perspective, the result is nothing if the place
-    /// is nearer than the near plane.
+    /// The position in the picture at which a place in the world is seen. Coordinates are those of
+    /// rasterizers, in which whole numbers are the middles of pixels. In perspective, the result is
+    /// nothing if the place is nearer than the near plane.
     std::optional<l3d_point_2d> position(const vector& place) const;
 
     /// Turns, moves or zooms when a button goes down, the pointer moves or the wheel turns. Returns
@@ -135,7 +135,7 @@ private:
     l3d_camera kept_;
     bool is_home_ = false, is_framed_ = false; ///< whether go_home or frame_all set kept_
     vector upright_; ///< the model's direction up, even if the view is rolled or from above
-    vector up_;      ///< the axis for turn(): upright_, or another one after roll()
+    vector up_;      ///< the axis for turn(): upright_, or the picture's direction up after roll()
     double turn_speed_ = 1;
     l3d_size size_;
     drag drag_ = drag::none;
@@ -209,9 +209,10 @@ struct L3D_PUBLIC l3d_standing_panel {
 /// Lives: borrows pipeline, screen and camera.
 class L3D_PUBLIC l3d_viewer_controls {
 public:
-    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. At the key r,
-    /// `reset` undoes what the viewer's own keys changed, other than the camera; it may be empty.
-    /// `viewed` answers questions about the picture. `font` has the letters of all panels.
+    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. The key r calls
+    /// `reset`, unless it is empty, to undo all changes by the viewer's own keys except those of
+    /// the camera. `viewed` answers questions about the picture. `font` has the letters of all
+    /// panels.
     /// Expects: no key has actions in two rows; the rows of this class count, too.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
@@ -315,7 +316,7 @@ public:
 
     /// Tells the user why the picture is empty. `reason` is a text of l3d_why_unseen, or "" if the
     /// picture is not empty. The text names `key`, which moves the model back into view; 0 stands
-    /// for no such key.
+    /// for no key.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())

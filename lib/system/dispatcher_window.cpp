@@ -113,7 +113,7 @@ void l3d_dispatcher_window::loop::handle_events() {
 }
 
 /// Whether no picture need be made until the next event. If frames are counted or written, each
-/// turn of the loop makes one.
+/// turn of the loop makes a picture.
 bool l3d_dispatcher_window::loop::rests() const {
     if (settings_.frames != 0 || !settings_.output.empty() || settings_.fixed_step)
         return false;

@@ -35,7 +35,8 @@ struct L3D_PUBLIC l3d_backend {
         dispatcher_factory; ///< Makes the event loops of programs on this back-end.
 };
 
-/// Knows every back-end in a table, asks each whether it can serve here, and chooses one.
+/// Knows all back-ends, as the rows of a table. It asks each back-end whether it can serve here,
+/// and chooses one of them.
 ///
 /// No other place in the library names concrete kinds of back-ends. The manager is no global
 /// object: each program has one in main.
@@ -53,10 +54,10 @@ public:
     void add(l3d_backend row);
 
     /// Chooses the back-end that --backend names, else the variable L3D_BACKEND, else the program
-    /// itself. If none of these names one, it asks the user at a terminal. Without a terminal it
-    /// takes the first automatic row that can serve. If nobody would see the pictures, stderr gets
-    /// a line that says so. In this case --output becomes `program`.png, unless the user named a
-    /// back-end that shows nothing.
+    /// itself. If none of these names a back-end, choose() asks the user at a terminal. Without a
+    /// terminal it takes the first automatic row that can serve. If nobody would see the pictures,
+    /// stderr gets a line that says so. In this case --output becomes `program`.png, unless the
+    /// user named a back-end that shows nothing.
     ///
     /// Returns: false if the program has nothing more to do: --list-backends or --diagnose was
     ///          answered, or the user answered q at the prompt.
@@ -78,7 +79,7 @@ public:
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
     /// Makes a window for a notice that is shown before choose(), such as on a long reading. The
-    /// window is that of the first automatic back-end that can open one.
+    /// first automatic back-end that can open a window makes it.
     /// Errors:  null if the options or the environment name a back-end that has no windows, or if
     ///          no window opens.
     std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,

@@ -22,7 +22,7 @@
 /// - name%04d.png gives every frame a file, numbered from 0 (also %d, %5d, %05d).
 /// - "-" gives every frame, as a stream of PPM pictures on the standard output.
 ///
-/// Any other percent sign is a part of the name, and %% stands for one.
+/// Any other percent sign is a part of the name, and %% stands for one percent sign.
 class L3D_PUBLIC l3d_frame_writer {
 public:
     /// Takes the name of --output, and opens no file yet.
@@ -74,7 +74,7 @@ private:
 class L3D_PUBLIC l3d_report_writer {
 public:
     /// Opens the file of this name, and empties it. If the name is -, lines go to the standard
-    /// output, where other output may stand before and between them.
+    /// output, where other output may stand before the lines and between them.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
     l3d_report_writer(const l3d_report_writer&) = delete;

@@ -167,8 +167,8 @@ const l3d_plugin_host host{sizeof(l3d_plugin_host),
 
 // ---- the library -------------------------------------------------------------------------------
 
-/// Owns an open shared library. A library that several objects open stays until the last one closes
-/// it.
+/// Owns an open shared library. A library that several objects have opened stays until the last
+/// object closes it.
 class library {
 public:
     explicit library(const std::string& file)
@@ -192,8 +192,8 @@ private:
     void* handle_;
 };
 
-/// The reason why a library is no usable plug-in; empty if the library is one. If the library did
-/// not open, the reason has the system's own words after the file's name.
+/// The reason why a library cannot be used as a plug-in; empty if it can. If the library did not
+/// open, the reason has the system's own words after the file's name.
 std::string fault_of(const library& opened, const std::string& file) {
     if (!opened.is_open()) {
         const std::string words = dlerror();

@@ -29,10 +29,9 @@ public:
     /// Makes an object, which the plug-in in `file` sets up by these parameters.
     ///
     /// Errors: null, and `why` gets "file: reason". Reasons are a file that is missing, is no
-    ///         shared library, or has no symbol l3d_plugin. Further reasons are a structure
-    ///         l3d_plugin of another version, one that is too short, or one that lacks a function.
-    ///         The plug-in may also refuse, with a reason of its own. Later faults of the plug-in
-    ///         give one line on stderr, once.
+    ///         shared library, or has no symbol l3d_plugin. The structure l3d_plugin may also have
+    ///         another version, be too short, or lack a function. The plug-in may also refuse, with
+    ///         a reason of its own. Later faults of the plug-in give one line on stderr, once.
     std::unique_ptr<l3d_object> load(const std::string& file, const std::string& parameters,
                                      std::string& why);
 

@@ -47,12 +47,12 @@ public:
     l3d_factory_manager& factories() { return factories_; }
 
     /// Sets a function that is called once the command line has been read, for work without a
-    /// screen, such as a report. `goes_on` returns whether the other steps are to be done, too.
+    /// screen, such as a report. `goes_on` returns whether the program goes on with a screen.
     void after_command_line(std::function<bool()> goes_on) { goes_on_ = std::move(goes_on); }
 
-    /// Reads the command line, chooses a back-end, and calls `steps`, which does the other steps.
-    /// Returns main's exit code. `steps` is not called if there is nothing to show, as after
-    /// --help.
+    /// Reads the command line and chooses a back-end (step 1). Then it calls `steps`, which does
+    /// the remaining steps. Returns main's exit code. `steps` is not called if there is nothing to
+    /// show, as after --help.
     ///
     /// Errors:  none: an exception becomes a line on stderr and an exit code.
     int run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps);

@@ -15,8 +15,8 @@
 
 namespace {
 
-/// The watched signals: those of the keys Ctrl+C and Ctrl+\, of a request to end, and of a terminal
-/// that is closed.
+/// The watched signals. They come from the keys Ctrl+C and Ctrl+\, from a request to end, and from
+/// a terminal that is closed.
 constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
 /// `noted` is the signal that came last, or 0. `bell` is the writing end of a pipe that wakes a

@@ -13,9 +13,9 @@
 /// old actions and raises the noted signal. So the parent process sees that this signal ended the
 /// program. A signal that was ignored (as by nohup) stays ignored.
 ///
-/// After a signal, the program has five seconds to end in good order. Then the signal acts as a
-/// second one would, whatever the program does. Unfinished files do no harm, since files have no
-/// names before they are complete.
+/// After a signal, the program has five seconds to end in good order. Afterwards the signal acts as
+/// a second signal would, whatever the program does. Unfinished files do no harm, since files have
+/// no names before they are complete.
 ///
 /// Signal handlers belong to the whole process: they are the library's only state that belongs to
 /// the process.

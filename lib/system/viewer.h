@@ -145,7 +145,8 @@ private:
         return text;
     }
 
-    /// Writes values, one for each pixel, as a PFM file; the name - stands for the standard output.
+    /// Writes a PFM file with one value for each pixel. The file's name - stands for the standard
+    /// output.
     static void write(const std::string& file, l3d_size size, std::span<const float> values) {
         if (file == "-")
             l3d_write_pfm(stdout, "standard output", size.width, size.height, values);

@@ -199,7 +199,7 @@ private:
         return whole_.size() - 1;
     }
 
-    /// Whether a part has a colour of its own, other than its shape's.
+    /// Whether a part has a colour of its own, beside the colour of its shape.
     static bool has_color(const XCAFPrs_DocumentNode& node) {
         TDF_Label color;
         return node.Label != node.RefLabel &&
@@ -233,9 +233,9 @@ private:
     std::vector<std::optional<look>> whole_; ///< look of each shape as a whole
 };
 
-/// The shares of the work that are done after each stage, in large files: reading the text, making
-/// entities of the text, and making shapes of the entities. Then faces are written. Reading takes
-/// about 60 % of the time of a STEP file's entities.
+/// The shares of the work that are done after three stages, in large files. The stages are reading
+/// the text, making entities of the text, and making shapes of the entities. Then faces are
+/// written. Reading takes about 60 % of the time of a STEP file's entities.
 constexpr double when_read = 0.12, when_parsed = 0.2, when_made = 0.7;
 
 /// The text of a file as a stream, which tells which share of the text was read.

@@ -32,8 +32,8 @@ namespace {
 using l3d_detail::cad_record;
 
 constexpr std::uint32_t no_edge = 0xffffffff; // l3d_no_edge
-/// The error of trimming curves in the plane of parameters, as a share of the face's range of
-/// parameters.
+/// The error of trimming curves in the plane of parameters. It is a share of the range that the
+/// face has in this plane.
 constexpr double trim_share = 1e-9;
 /// A line closes a gap between a loop's curves that is wider than this share of the loop's extent.
 /// The library l3d allows gaps of 2^-20 of the extent (l3d_trims_complaint).
@@ -48,8 +48,8 @@ constexpr double most_turns = 0x1p12;
 
 using place_2d = std::array<double, 2>;
 
-/// The parameters of a curve in the plane of parameters at which it is divided: where the curve is
-/// not smooth, and where it passes from one arc of the surface's parameter_maps to the next.
+/// The parameters at which a curve in the plane of parameters is divided. There, the curve is not
+/// smooth, or passes from one arc of the surface's parameter_maps to the next arc.
 std::vector<double> breaks_of(const rational_curve& flat, const Handle(Geom2d_Curve) & curve,
                               const rational_surface& surface, const direction* edge, double from,
                               double to) {
@@ -94,8 +94,8 @@ std::vector<double> breaks_of(const rational_curve& flat, const Handle(Geom2d_Cu
     return result;
 }
 
-/// The control points of the Bezier curve of degree 5 that passes through six places at equal steps
-/// of its parameter.
+/// The control points of a Bezier curve of degree 5. The curve passes through six given places, at
+/// equal steps of its parameter.
 std::vector<point> through(const std::array<place_2d, 6>& at) {
     // The inverse of the Bernstein polynomials' values at i / 5; rows below the middle mirror them.
     static constexpr double row_1[6] = {-77.0 / 60, 5, -5, 10.0 / 3, -5.0 / 4, 1.0 / 5};
@@ -199,7 +199,7 @@ struct face_writer::edge_use {
         flat = rational_of(GeomAPI::To3d(curve, gp_Pln()), from, to);
     }
 
-    /// The edges of a wire, in order: each begins where the one before ends.
+    /// The edges of a wire, in order. Each edge begins where the edge before it ends.
     static std::vector<edge_use> all_of(const TopoDS_Wire& wire, const TopoDS_Face& face) {
         std::vector<edge_use> result;
         std::size_t count = 0;

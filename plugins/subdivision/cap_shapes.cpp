@@ -136,8 +136,8 @@ struct rest {
 } // namespace
 
 struct cap_shapes::weights {
-    /// The results of ten subdivisions. Each result is a difference of points, as a row of weights,
-    /// one for each vertex.
+    /// The results of ten subdivisions. Each result is a difference of two points. It is stored as
+    /// a row of weights, one weight for each vertex.
     struct stage {
         /// Differences between the control points of exact patches and those of the cap's part.
         std::vector<double> differences;

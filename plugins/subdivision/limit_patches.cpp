@@ -198,10 +198,10 @@ level_patches patches_of(const refined_mesh& mesh, const std::vector<point>& poi
     return result;
 }
 
-/// Bound of the rounding of patches' control points. A vertex is a sum of products, at most one for
-/// each level and each vertex of a ring, with weights that add up to 1. With fewer than 2^10
-/// vertices in a ring, 10 levels and the 2^3 roundings of bezier_of, rounding is less than 2^14
-/// times half an ulp of the largest coordinate.
+/// Bound of the rounding of patches' control points. A vertex is a sum of products with weights
+/// that add up to 1. There is at most one product for each level and each vertex of a ring. With
+/// fewer than 2^10 vertices in a ring, 10 levels and the 2^3 roundings of bezier_of, rounding is
+/// less than 2^14 times half an ulp of the largest coordinate.
 double rounding_of(const std::vector<place>& places) {
     double largest = 0;
     for (const place& p : places)

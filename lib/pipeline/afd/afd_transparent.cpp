@@ -134,8 +134,9 @@ double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
 }
 
 /// Bound of the error that fog adds, in shade levels of 0 to 255. A drawn surface is nowhere
-/// farther from the exact one than the bound of depth, in pixels at the surface's distance. The
-/// amount of fog is rounded to whole 255ths, and its two products to whole levels.
+/// farther from the exact surface than the bound of depth, in pixels at the surface's distance. The
+/// amount of fog is rounded to whole 255ths. Its products with the two colours that are mixed are
+/// rounded to whole levels.
 double l3d_pipeline_afd::shade_bound_of_fog() const {
     const l3d_fog& fog = settings_.fog;
     if (!fog.is_on())

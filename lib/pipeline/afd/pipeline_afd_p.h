@@ -65,7 +65,7 @@ struct l3d_pipeline_afd::stages {
     l3d_detail::depth_lines lines; ///< kept to reuse the memory
     /// The edges of models as lines, by the models' identities.
     std::map<const void*, std::vector<l3d_space_curve>> edges;
-    /// Map of errors of the last frame that asked for one.
+    /// The map of errors of the last frame for which the settings asked for a map.
     std::unique_ptr<l3d_frame_doubts> doubts;
 };
 

@@ -68,7 +68,8 @@ private:
         std::uint32_t vertex, corner;
         friend auto operator<=>(const end&, const end&) = default;
     };
-    /// The edges around a vertex, each by its other end; kept to reuse the memory.
+    /// The edges around a vertex. Each is stored as the vertex at its other end. The memory is kept
+    /// for the next vertex.
     std::vector<end> ends_;
     /// For each corner around a vertex, an earlier corner of the same group, or itself if it is the
     /// group's first one.

@@ -24,8 +24,8 @@ std::array<double, 3> numbers(const point& p) {
     return {p[0], p[1], p[2]};
 }
 
-/// Whether a boundary curve is evaluated from its other end, so that the patches on both sides get
-/// the same points.
+/// Whether a boundary curve is evaluated from its end to its beginning. So the patches on both
+/// sides, which may count in opposite directions, get the same points.
 bool runs_backwards(const curve& c) {
     for (std::size_t i = 0; i < 2; ++i) {
         const auto from = numbers(c.points[i]), to = numbers(c.points[3 - i]);

@@ -35,8 +35,8 @@ std::array<float, 3> turned(const l3d_matrix<double>& placement,
     return result;
 }
 
-/// Copies a normal, and reverses the copy if `sign` is the sign bit. It has no branch, since the
-/// processor could not predict one.
+/// Copies a normal, and reverses the copy if `sign` is the sign bit. The code has no branch, since
+/// the processor could not predict a branch.
 void turn_round(const placed_vertices::normal& normal, std::uint32_t sign, float* to) {
     for (std::size_t c = 0; c < 3; ++c)
         to[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(normal[c]) ^ sign);

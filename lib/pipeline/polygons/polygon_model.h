@@ -27,8 +27,7 @@ struct L3D_PUBLIC l3d_model_triangle {
     std::uint32_t sides = 0;
 };
 
-/// Bounds of the normals and places of 32 triangles that follow each other in the list of a model's
-/// triangles.
+/// Bounds of the normals and places of 32 triangles in a row of a model's list of triangles.
 ///
 /// The normal of each triangle's face is at most `spread` away from `axis`, and each triangle's
 /// first corner is at most `reach` away from `middle`. So one test may show that the eye sees all
@@ -69,7 +68,7 @@ public:
     l3d_polygon_model() : l3d_polygon_model(l3d_polygon_mesh()) {}
     /// Makes a copy that shares the contents.
     l3d_polygon_model(const l3d_polygon_model&) = default;
-    /// Shares the contents of the other model from now on, and drops this model's own contents.
+    /// Takes part in the contents of another model, and drops this model's own contents.
     l3d_polygon_model& operator=(const l3d_polygon_model&) = default;
     ~l3d_polygon_model() = default;
 
@@ -109,8 +108,8 @@ public:
     /// normals.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
-    /// The normal that a triangle is lit with at a corner. It is the vertex's normal, another one
-    /// if the vertex is on a crease, or the opposite one where the mesh folds over.
+    /// The normal that a triangle is lit with at a corner. It is the vertex's normal. At a crease
+    /// it may differ, and where the mesh folds over it may be the opposite normal.
     /// Expects: triangle < triangles().size(), corner < 3.
     const direction& corner_normal(std::size_t triangle, std::size_t corner) const {
         const std::uint32_t of = contents_->crease_corners.empty()
@@ -141,7 +140,7 @@ public:
     /// Makes a model of the shown faces in front of a plane. Faces that cross the plane are cut
     /// there, and bodies stay open. Pictures are left out. Normals are made anew with the usual
     /// crease angle, unless the mesh has its own. The new model keeps the box and centre() of this
-    /// one.
+    /// model.
     /// Cost: as the constructor.
     l3d_polygon_model cut(const l3d_plane<double>& plane) const;
 
@@ -154,7 +153,7 @@ public:
         return contents_->materials_of_faces.empty() ? 0 : contents_->materials_of_faces[face];
     }
 
-    /// Makes a model of the same faces, with pictures on all faces whose materials name one.
+    /// Makes a model of the same faces, with pictures on all faces whose materials name a picture.
     /// `textures` has a texture for each of mesh().pictures. If a texture is null or missing, its
     /// faces have the colours of their materials.
     l3d_polygon_model textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;

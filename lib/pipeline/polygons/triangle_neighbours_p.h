@@ -17,7 +17,7 @@ namespace l3d_detail {
 ///
 /// It first compares vertices by their indices. If any side has no neighbour then, it compares
 /// vertices by their places instead. A triangle with two equal corners has no area and gets no
-/// neighbours: the triangles on both sides of it become neighbours of each other.
+/// neighbours. The triangles on its two sides become neighbours of each other instead.
 /// Cost: 12 bytes per triangle, and linear time if the model is not that of the last call.
 class triangle_neighbours {
 public:
@@ -44,7 +44,8 @@ private:
     bool match(std::span<const std::uint32_t> names);
     bool face_outward() const;
 
-    l3d_polygon_model model_; ///< the last model, kept so that no other model gets its address
+    /// The model of the last call, kept so that no other model gets its address.
+    l3d_polygon_model model_;
     std::vector<std::array<std::uint32_t, 3>> across_;
     bool are_closed_ = false;
 };

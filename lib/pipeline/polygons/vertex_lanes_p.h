@@ -28,7 +28,8 @@ struct placed_vertices {
     using normal = std::array<float, 4>;
 
     std::vector<place> places;
-    std::vector<normal> normals; ///< one for each place; unused if corners have other normals
+    /// A normal for each place; unused if corners do not have the vertices' normals.
+    std::vector<normal> normals;
 };
 
 /// The values by which vertices are placed in the picture.

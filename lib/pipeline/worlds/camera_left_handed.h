@@ -33,7 +33,7 @@ public:
     l3d_moveable() = default;
     /// Copies the place, the axes and the motion.
     l3d_moveable(const l3d_moveable&) = default;
-    /// Copies place, axes and motion of the other object.
+    /// Takes the place, axes and motion of another object.
     l3d_moveable& operator=(const l3d_moveable&) = default;
     virtual ~l3d_moveable() = default;
 
@@ -59,9 +59,9 @@ public:
     /// The axis that points forward, a unit vector in the world.
     const vector& forward() const { return forward_; }
 
-    /// Adds the product of `times` and `thrust` to the velocity along each axis. A press of a key
-    /// has +1 or -1 for one axis, and 0 for the others. A velocity of 90 units per update of the
-    /// book, or more, is not increased further.
+    /// Adds the product of `times` and `thrust` to the velocity along each axis. For a press of a
+    /// key, `times` is +1 or -1 for one axis, and 0 for the two other axes. A velocity of 90 units
+    /// per update of the book, or more, is not increased further.
     void push(const by_axis& times);
     /// Adds to the spin about each axis `times` times 5 degrees per update of the book. A spin of
     /// 95 degrees per update, or more, is not increased further.
@@ -121,8 +121,8 @@ private:
 /// The book's term for a field of view: the distance from the eye to the picture, divided by the
 /// picture's width. This is half the cotangent of half the angle. Units: degrees.
 L3D_PUBLIC double l3d_fov_term(double degrees);
-/// The angle of a field of view from the book's term for it: the inverse of l3d_fov_term. Units:
-/// degrees.
+/// The angle of a field of view for which the book has this term: the inverse of l3d_fov_term.
+/// Units: degrees.
 L3D_PUBLIC double l3d_fov_degrees(double term);
 
 /// The camera of the book's programs: a perspective camera that flies in a left-handed world. At

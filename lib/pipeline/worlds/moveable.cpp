@@ -35,7 +35,7 @@ void add_up_to(double& velocity, double step, double limit) {
         velocity += step;
 }
 
-/// The time in which an undamped body goes as far as a damped one goes in `seconds`. Each update
+/// The time in which an undamped body goes as far as a damped body goes in `seconds`. Each update
 /// keeps the part k of the velocity, then moves. So n updates move it by v (k + k^2 + ... + k^n) =
 /// v k (1 - k^n) / (1 - k).
 double effective_time(double kept, double seconds) {
@@ -111,7 +111,7 @@ template <class T> bool l3d_moveable<T>::transform(const l3d_matrix<T>& m) {
 }
 
 /// Makes the axes perpendicular again, and of length 1, by two cross products and two divisions.
-/// The axis to the right follows from the two others.
+/// The axis to the right follows from the two other axes.
 template <class T> void l3d_moveable<T>::straighten() {
     forward_ = l3d_normalized(forward_);
     right_ = l3d_normalized(l3d_cross(up_, forward_));

@@ -31,8 +31,8 @@ public:
     /// Lets time pass for `object`, which has this behaviour. Units: seconds.
     void update(l3d_object& object, double seconds) { do_update(object, seconds); }
 
-    /// Makes a behaviour of the same kind, with a state of its own, for `for_copy`, a copy of the
-    /// object.
+    /// Makes a behaviour of the same kind, with a state of its own. `for_copy` is the copy of the
+    /// object that gets this behaviour.
     /// Errors:  null if the behaviour cannot be copied.
     std::unique_ptr<l3d_object_behaviour> clone(l3d_object& for_copy) const {
         return do_clone(for_copy);
@@ -46,8 +46,9 @@ private:
 /// A thing in a world: its polygons, its placement, and its behaviour from frame to frame.
 ///
 /// The polygons themselves are never transformed: every frame starts from them, so rounding deforms
-/// nothing. The placement is a list of matrices, the first one applied first; their product is
-/// updated automatically. The behaviour comes from a subclass, or from a plug-in.
+/// nothing. The placement is a list of matrices, and the first matrix is applied first. The product
+/// of the matrices is updated automatically. The behaviour comes from a subclass, or from a
+/// plug-in.
 /// Shape: faces as in l3d_polygon_mesh; a world's axes are left-handed.
 class L3D_PUBLIC l3d_object {
 public:
@@ -81,20 +82,20 @@ public:
     /// Sets the placement's matrix with this index. Matrices of lesser index that were never set
     /// are the identity.
     void set_transform(std::size_t index, const l3d_matrix<real>& m);
-    /// The matrices of the placement, the first one applied first.
+    /// The matrices of the placement. The first matrix is applied first.
     std::span<const l3d_matrix<real>> transforms() const { return transforms_; }
 
     /// The product of the placement's matrices: from the object's own coordinates to its parent's,
     /// or to the world's if the object has no parent.
     const l3d_matrix<real>& modeling_transform() const;
 
-    /// Hangs the object to another one, its parent, whose placement then moves this object as well.
-    /// Null makes the object stand in the world without a parent.
+    /// Hangs this object to another object, its parent. From then on, the parent's placement moves
+    /// this object as well. Null makes the object stand in the world without a parent.
     /// Errors: returns false, and changes nothing, if the parent is the object itself or hangs from
     ///         the object.
     /// Lives:  borrows the parent. When the parent is destroyed, the object has no parent any more.
     bool set_parent(l3d_object* parent);
-    /// The object that this one hangs from; null if this one stands in the world.
+    /// The object that this object hangs from; null if this object stands in the world.
     l3d_object* parent() const { return parent_; }
 
     /// The matrix from the object's own coordinates to the world's, with the matrices of all its

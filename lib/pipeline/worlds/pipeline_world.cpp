@@ -9,8 +9,8 @@
 
 namespace {
 
-/// The step by which the key v changes the thrust. After the largest thrust, the least one follows:
-/// 0.2, 1.2, 2.2, 0.2 in units per update of the book.
+/// The step by which the key v changes the thrust. After the largest thrust, the least thrust
+/// follows: 0.2, 1.2, 2.2, 0.2 in units per update of the book.
 constexpr double thrust_step = 1 * l3d_book_rate;
 constexpr double largest_thrust = 3 * l3d_book_rate;
 

@@ -43,7 +43,7 @@ public:
     void key_event(int key) override;
     void resize_event(l3d_size size) override;
     bool skip_event() override { return true; }
-    /// Whether the world is stopped and the camera stands still. A subclass in which other things
+    /// Whether the world is stopped and the camera stands still. A subclass in which further things
     /// move overrides this function.
     bool is_at_rest() const override { return world_->frozen && !world_->camera.moves(); }
     std::string message() const override;

@@ -48,7 +48,8 @@ public:
     /// transformed.
     std::size_t add(const l3d_object& object);
 
-    /// The number of polygons that were added since begin(): those that may be seen.
+    /// The number of polygons that were added since begin(). Polygons that cannot be seen do not
+    /// count.
     std::size_t polygons() const { return polygons_.size(); }
 
     /// Draws the polygons added since begin(), each in its own colour. The order `by_depth` is
@@ -128,8 +129,8 @@ public:
     /// Whether objects stand still, so that only the camera moves.
     bool frozen = false;
 
-    /// Puts an object into the world, after the others. This is allowed at any time: an object that
-    /// is added during an update takes part in the next update. Expects: not null.
+    /// Puts an object into the world, as the last of its objects. This is allowed at any time: an
+    /// object that is added during an update takes part in the next update. Expects: not null.
     /// Returns: the object.
     l3d_object& add(std::unique_ptr<l3d_object> object);
 
@@ -147,7 +148,7 @@ public:
     virtual void update_all(double seconds);
 
     /// Draws all objects that the camera sees. In the order by_depth, the background of `surfaces`
-    /// is drawn first; in other orders, objects are drawn over the old picture.
+    /// is drawn first; in the two other orders, objects are drawn over the old picture.
     /// Returns: the number of polygons drawn; in the order by_depth, the number of triangles drawn.
     virtual std::size_t draw_all(const l3d_world_target& target);
 

@@ -18,9 +18,9 @@ namespace l3d_detail {
 /// Finds the triangles (items) that need no place in the painting order, since they are seen wholly
 /// or not at all.
 ///
-/// Items that are seen in all of their pixels share no pixel with each other. So they may be
-/// painted in any order, after all others. Items that are seen nowhere need not be painted. Only
-/// the other items need an order.
+/// Items that are seen in all of their pixels share no pixel with each other. So such items may be
+/// painted in any order, after all other items. Items that are seen nowhere need not be painted.
+/// Only items that are seen in a part of their pixels need an order.
 class hidden_test {
 public:
     /// Forgets the results of find(): each item needs an order again.

@@ -37,8 +37,8 @@ constexpr std::uint32_t number_of(order_node node) {
 class ordered_components {
 public:
     /// Calls emit(component) for each strongly connected component of nodes, after the components
-    /// that its nodes need. If several components could be next, the one with the least node comes
-    /// first.
+    /// that its nodes need. If several components could be next, the component with the least node
+    /// comes first.
     ///
     /// `is_free(node)` tells whether a node needs no greater node. `needed(node, in_turn, out)`
     /// adds to `out` the nodes that must come before `node`; it may leave out nodes that were

@@ -33,9 +33,9 @@ struct row_of_needs {
     std::int64_t pairs = 0; ///< number of pairs of items that were compared
 };
 
-/// The members of a tile in sorted order. It copies the members' cells and depths, which decide
-/// most often whether two members are compared. Each worker has one such object, and writes to it
-/// at each member.
+/// The members of a tile in sorted order. The object copies the members' cells and depths, which
+/// decide most often whether two members are compared. Each worker has an object of its own, in
+/// cache lines of its own, and writes to it at each member.
 class alignas(128) sorted_members {
 public:
     void sort(std::span<const painter_entry> members) {
@@ -78,8 +78,8 @@ private:
 } // namespace
 
 struct l3d_painter_order::work_space {
-    /// The number of items between the present item and the one that is prefetched. Sorted items
-    /// lie anywhere in memory, and fetching one takes some hundred cycles.
+    /// The number of items between the present item and the item that is prefetched. Sorted items
+    /// lie anywhere in memory, and fetching an item takes some hundred cycles.
     static constexpr std::size_t ahead = 16;
     /// The number of pieces that a worker takes at a time, which costs some 10^4 cycles at least.
     static constexpr std::size_t chunk_pieces = 4096;
@@ -168,7 +168,7 @@ struct l3d_painter_order::work_space {
         }
     }
 
-    /// Adds to `out` the items that an item needs among those that are sorted before it and not
+    /// Adds to `out` those items that `node` needs, that are sorted before `node`, and that are not
     /// emitted yet.
     void find_early(order_node node, std::vector<order_node>& out,
                     l3d_painter_order_counts& counts) {

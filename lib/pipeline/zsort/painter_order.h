@@ -23,9 +23,9 @@
 /// except in pixels whose two nearest depths differ by less than 2^-36 of the nearest corner's
 /// depth (painter_tie).
 /// Cost:   sorting is linear. Comparing is linear in the pairs of triangles that lie over each
-///         other within a tile of the picture. For surfaces, this is linear in the triangles. Many
-///         triangles that all go through each other, n of them, may become n^2 pieces if all pieces
-///         are seen; hidden ones are left out. Memory is kept for the next picture.
+///         other within a tile of the picture. For surfaces, this is linear in the triangles. If n
+///         triangles all go through each other, they may become n^2 pieces. Hidden pieces are left
+///         out. Memory is kept for the next picture.
 /// Source: comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
 ///         1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
 ///         structures (SIGGRAPH 1980).
@@ -42,8 +42,8 @@ public:
         /// Whether wrong places are mended; false sorts triangles, and compares none.
         bool resolve = true;
         /// Whether the sides of triangles are drawn as lines. If not, triangles that cover no pixel
-        /// are left out. Triangles that are behind others in all of their pixels may be left out,
-        /// too.
+        /// are left out. Triangles that other triangles hide in all of their pixels may be left
+        /// out, too.
         bool sides = true;
     };
 

@@ -127,8 +127,8 @@ void keep_side(std::span<const picture_point> region, const l3d_picture_plane& f
         out);
 }
 
-/// Tests corners first: if all corners of one triangle are on one side of the other's plane, this
-/// decides. Otherwise it compares the planes over the triangles' common part.
+/// Tests corners first. If all corners of one triangle are on one side of the other triangle's
+/// plane, this side decides. Otherwise it compares the planes over the triangles' common part.
 front_parts front_of(const triangle& a, const triangle& b) {
     const double tie = tie_of(a, b);
     const l3d_picture_plane plane_a(a), plane_b(b);

@@ -58,8 +58,9 @@ front_parts front_over(std::span<const picture_point> region, const l3d_picture_
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,
                picture_region& out, picture_region& scratch);
 
-/// Writes to `out` the part of a region where the first plane is in front of the second one or, if
-/// `in_front` is false, behind it. `out` is empty only if there is no such part.
+/// Writes to `out` the part of a region where the first plane is in front of the second plane. If
+/// `in_front` is false, it is the part where the first plane is behind the second. `out` is empty
+/// only if the region has no such part.
 void keep_side(std::span<const picture_point> region, const l3d_picture_plane& first,
                const l3d_picture_plane& second, bool in_front, picture_region& out);
 

@@ -8,8 +8,8 @@
 
 namespace l3d_detail {
 
-/// The entry of an item in a tile, if its pixels are not known: its cells are those that the item's
-/// box meets.
+/// The entry of an item in a tile, if the pixels of the item are not known. The entry's cells are
+/// the cells that the item's box meets.
 painter_entry painter_tiles::box_entry(const painter_item& item, std::uint32_t number, int column,
                                        int row) const {
     constexpr int side = 1 << cell_bits;

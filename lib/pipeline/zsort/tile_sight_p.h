@@ -15,8 +15,8 @@ namespace l3d_detail {
 /// sort. Cells are those of painter_entry.
 struct cell_sight {
     std::uint64_t shown; ///< cells in which this triangle would be painted last
-    /// Cells in which another triangle would be painted last although it is not wholly in front of
-    /// this one: the sort may be wrong there.
+    /// Cells in which the sort may be wrong. There another triangle would be painted last, although
+    /// it is not wholly in front of this triangle.
     std::uint64_t doubtful;
 };
 

@@ -77,7 +77,7 @@ public:
     bool gives_texture() const { return !texture_.empty(); }
 
     /// The NURBS surfaces of a model, for programs that change control points. An exact shape or an
-    /// .obj file has NURBS surfaces of its own; other models get one surface for each patch.
+    /// .obj file has NURBS surfaces of its own; any other model gets one surface for each patch.
     /// Divided into patches, the surfaces give the model again.
     /// Expects: the result of model().
     /// Errors:  l3d_error(bad_input) with file and line.
@@ -106,8 +106,8 @@ public:
     /// The model's name for titles: the file's name without folder and ending, or "Utah teapot".
     std::string model_title() const;
 
-    /// The camera that looks at the teapot unless the user says otherwise. Its other values are the
-    /// defaults of l3d_camera.
+    /// The camera that looks at the teapot unless the user says otherwise. All values except eye
+    /// and target are the defaults of l3d_camera.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
     /// Whether --eye, --target or --file-camera was given.

@@ -73,7 +73,8 @@ std::string wrapped(const std::string& text, std::size_t width) {
 /// which would list options a second time.
 class help_formatter : public CLI::Formatter {
     std::string make_positionals(const CLI::App*) const override { return ""; }
-    /// The text of a group of options, with one blank line before it; CLI11 has two.
+    /// The text of a group of options, with one blank line before it; CLI11 itself has two blank
+    /// lines.
     std::string make_group(std::string heading, bool is_positional,
                            std::vector<const CLI::Option*> options) const override {
         const std::string group = Formatter::make_group(heading, is_positional, options);

@@ -76,7 +76,7 @@ public:
     void add(const std::string& name, int& value, const std::string& help, int least, int most);
 
     /// Adds an option with a whole number. `value` stays empty if the option is not given, since
-    /// the program finds the default later, if there is one.
+    /// the program finds a default later, or has none.
     void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
              int most);
 
@@ -178,7 +178,7 @@ public:
     }
 
     /// The request for a screen, as the options ask for it. The title is the program's name, unless
-    /// the user gives another one.
+    /// the user gives another title.
     l3d_screen_request screen_request() const;
 
     /// The settings for a dispatcher. With --frames, time goes by fixed steps, so that windows and
