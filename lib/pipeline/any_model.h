@@ -26,7 +26,7 @@ using l3d_any_model = std::variant<l3d_patch_model, l3d_polygon_model>;
 L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
                                             std::vector<std::string>* notes = nullptr);
 
-/// The contents of a model file as a pipeline draws them: patches as a scene, or polygons.
+/// The contents of a model file in the form that a pipeline draws: a scene of patches, or polygons.
 using l3d_any_scene = std::variant<l3d_patch_scene, l3d_polygon_model>;
 
 /// Loads a model file as l3d_load_any_model does. A shape that stands at many places, as in an

@@ -37,8 +37,8 @@ struct L3D_PUBLIC l3d_common_report {
     std::uint64_t hash = 0;     ///< l3d_hash of the picture
 };
 
-/// A picture's fingerprint, to compare pictures by: the 64-bit hash FNV-1a of the pixel words, row
-/// by row from the top, each word's lowest byte first.
+/// A picture's fingerprint, by which pictures can be compared. It is the 64-bit hash FNV-1a of the
+/// pixel words, row by row from the top. The lowest byte of each word comes first.
 /// Source: Fowler, Noll, Vo; constants from RFC 9923.
 L3D_PUBLIC std::uint64_t l3d_hash(const l3d_pixels& pixels);
 
@@ -59,8 +59,8 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
     l3d_dice_counts dice; ///< counts of seen patches and of steps, and the certified error bounds
-    /// The number of pixels that keep their colour from the last frame, since nothing changed in
-    /// them.
+    /// The number of pixels that keep their colour from the last frame, since nothing changed
+    /// there.
     std::int64_t pixels_kept = 0;
 
     /// The part of the bounds of places and depth that comes from approximation. Surfaces that are
@@ -84,8 +84,8 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     /// One line of JSON, without the line's end.
     std::string json() const;
 
-    /// Explains the work that the frame left out: a line for each reason, with the test that proved
-    /// it.
+    /// Explains the work that the frame left out. Each reason has a line, with the test that proved
+    /// that the work was not needed.
     std::string explanation() const;
 
 private:
@@ -132,8 +132,8 @@ struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
     /// One line of JSON, without the line's end.
     std::string json() const;
 
-    /// Explains the work that the frame left out: a line for each reason, with the test that proved
-    /// it.
+    /// Explains the work that the frame left out. Each reason has a line, with the test that proved
+    /// that the work was not needed.
     std::string explanation() const;
 };
 

@@ -29,7 +29,8 @@ public:
         return scene.has_pictures() ? &paints_ : nullptr;
     }
 
-    /// Names the polygons of `batch`, the dicer's last batch, if pictures lie on them.
+    /// Names the polygons that dicing made of `batch`, the dicer's last batch, if pictures lie on
+    /// the patches.
     /// Expects: begin returned paints.
     template <class T>
     void add(const l3d_patch_scene& scene, std::span<const l3d_placed_patch> batch,

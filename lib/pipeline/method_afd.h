@@ -56,7 +56,7 @@ private:
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     l3d_dice_counts counts_;
-    /// Outlines of the last frame, if it asked for them.
+    /// Outlines of the last frame, if the frame asked for outlines.
     std::unique_ptr<l3d_frame_outlines> outlines_;
 };
 

@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// The style of a screen's panels: letters of a size that suits its picture, and an opaque ground
-/// if the screen is slow.
+/// The style of a screen's panels. Letters have a size that suits the screen's picture, and the
+/// ground is opaque if the screen is slow.
 inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) {
     l3d_panel_style style;
     style.font = font;
@@ -41,7 +41,7 @@ public:
     bool take(const l3d_panel& panel, l3d_corner corner);
 
     /// Draws a panel in the place that is found for it, and keeps the place. Returns the box that
-    /// the panel covers, empty if there is no place.
+    /// the panel covers; the box is empty if no place was found.
     l3d_pixel_box draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner);
 
 private:

@@ -23,8 +23,8 @@ struct L3D_PUBLIC l3d_frame_times {
     double write = 0; ///< writing picture files
 };
 
-/// The application: a program derives from this class, and the dispatcher calls its functions when
-/// events come from outside.
+/// The application. A program derives a class from this class, and the dispatcher calls the
+/// functions of the derived class when events come from outside.
 ///
 /// Order:   events first, then update_event, then draw_event, then frame_event, once per frame.
 /// Lives:   borrowed by the dispatcher; owns (or borrows from main) its screen and rasterizer.
@@ -106,8 +106,8 @@ public:
     /// no event came, the dispatcher neither draws nor shows.
     virtual bool needs_redraw() const { return true; }
 
-    /// One line that the user should read once, such as that fewer threads draw than wanted; "" if
-    /// there is none. The dispatcher asks after each frame.
+    /// A remark of one line that the user should read once, such as that fewer threads draw than
+    /// wanted. It is "" if there is no remark. The dispatcher asks after each frame.
     virtual std::string take_remark() { return {}; }
 };
 
@@ -146,7 +146,7 @@ struct L3D_PUBLIC l3d_caption {
     /// All keys: the program's own keys, F11, the help keys, and the keys that end the program.
     std::vector<l3d_caption_row> all_keys() const;
 
-    /// The text of --help: the sentences, and a list of all keys below them.
+    /// The text of --help: `what` and `teaches`, and a list of all keys below.
     std::string text() const;
 };
 

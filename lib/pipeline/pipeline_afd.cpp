@@ -291,7 +291,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach)
     return reached;
 }
 
-/// Keeps the last picture, and its bounds in the report: nothing is drawn.
+/// Keeps the last picture, and the picture's bounds in the report, since nothing needs to be drawn.
 void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();

@@ -104,9 +104,9 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Whether the control nets are drawn on top of the surface.
     bool net = false;
 
-    /// Whether edges are drawn as black lines, where no surface hides them. Edges are the curves at
-    /// which trimmed faces end. If the model stores no such curves, edges are the borders of trims,
-    /// and the sides of patches that are open or creased.
+    /// Whether edges are drawn as black lines, where no surface hides these edges. Edges are the
+    /// curves at which trimmed faces end. If the model stores no such curves, edges are the borders
+    /// of trims, and the sides of patches that are open or creased.
     bool edges = false;
 
     /// Work that frames do although they could skip it; for benchmarks.
@@ -180,8 +180,8 @@ public:
 
     /// The screen that shows the pictures.
     /// Expects: nobody writes to the screen's pixels. To draw on top, use pixels() or rasterizer()
-    ///          in draw_overlay: these note that the picture is changed, so that the next frame
-    ///          clears it.
+    ///          in draw_overlay. These functions note that the picture is changed, so that the next
+    ///          frame clears the picture.
     l3d_screen& screen() { return *screen_; }
     /// The canvas's letters, for text in draw_overlay.
     const l3d_font& font() const { return font_; }

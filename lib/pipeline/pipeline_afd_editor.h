@@ -33,9 +33,9 @@ struct L3D_PUBLIC l3d_handle_view {
 /// weights change by the same factor.
 ///
 /// A drag with the left button moves a handle in the plane through it that is parallel to the
-/// picture. A drag with the right button moves the handle along the view axis: a drag upwards moves
-/// it away from the eye. The wheel over a handle changes the handle's weight. undo() takes each of
-/// these changes back.
+/// picture. A drag with the right button moves the handle along the view axis: upwards in the
+/// picture moves it away from the eye. The wheel over a handle changes the handle's weight. undo()
+/// takes each of these changes back.
 /// Lives: a value.
 class L3D_PUBLIC l3d_control_handles {
 public:
@@ -132,8 +132,9 @@ private:
     effect drag(const l3d_event& motion, const l3d_handle_view& view);
 
     std::vector<l3d_nurbs_surface> surfaces_;
-    std::vector<std::vector<member>> members_;             ///< the control points of each handle
-    std::vector<std::pair<std::size_t, std::size_t>> net_; ///< handles that lines join, each once
+    std::vector<std::vector<member>> members_; ///< the control points of each handle
+    /// Pairs of handles that lines of nets join, each pair once.
+    std::vector<std::pair<std::size_t, std::size_t>> net_;
     std::optional<std::size_t> marked_;
     /// How the pointer holds the marked handle; empty unless the user drags it.
     std::optional<grab> grab_;

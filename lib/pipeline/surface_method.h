@@ -36,7 +36,7 @@ struct L3D_PUBLIC l3d_method_frame {
     const l3d_dice_view& view;
     const l3d_shading& shading; ///< lights, and the way to shade
     l3d_pixels target;          ///< the picture to draw into
-    l3d_depth_buffer& depth;    ///< 1 / distance for each pixel of the target, to be written
+    l3d_depth_buffer& depth;    ///< gets 1 / distance for each pixel of the target
     bool wants_depth;           ///< whether depth is wanted; if not, `depth` may stay as it is
     bool untouched;             ///< whether nobody wrote to the target since the last frame's end
     bool counts_pixels;         ///< whether the number of covered pixels is wanted
@@ -97,7 +97,7 @@ public:
 
 protected:
     /// The value for l3d_surface_counts::covered, counted in `depth`, the depths of all surfaces of
-    /// the frame. It is none_counted if the frame does not ask for it.
+    /// the frame. The result is none_counted if the frame does not ask for this number.
     static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
         return frame.counts_pixels ? l3d_covered(depth) : l3d_surface_counts::none_counted;
     }

@@ -40,8 +40,8 @@ struct L3D_PUBLIC l3d_pointed_place {
 struct L3D_PUBLIC l3d_viewed {
     /// Makes the camera that shows the whole model, with the direction of view of the given camera.
     std::function<l3d_camera(const l3d_camera&)> framed{};
-    /// Finds the place that is seen at a position, in pixels from the picture's left upper corner;
-    /// nothing if no surface is there.
+    /// Finds the place that is seen at a position. Positions are in pixels from the picture's left
+    /// upper corner. The result is nothing if no surface is there.
     std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
 };
 
@@ -63,7 +63,8 @@ public:
     /// reset, and at each change of the picture's size until the camera is moved.
     void set_home(std::function<l3d_camera()> home);
 
-    /// Returns to the first view: the camera of set_home(), or else the camera at construction.
+    /// Returns to the first view. It is the camera of set_home() or, without set_home(), the camera
+    /// at construction.
     void go_home();
     /// Moves the camera, without turning it, so that the picture shows the whole model.
     void frame_all();
@@ -119,7 +120,8 @@ private:
     bool go_on(const l3d_event& motion);
     void approach(double factor, const vector& place);
     void move(double x, double y);
-    /// The place under the pointer: on the surface there, or else at the target's depth.
+    /// The place in the world under the pointer. It lies on the surface that is seen there or,
+    /// without a surface, at the target's depth.
     vector place_under(double x, double y) const;
     double depth_of(const vector& place) const;
     void leave_pole();
@@ -304,8 +306,8 @@ public:
     /// Shows a line of text until the next key. Expects: the call comes from a key's action.
     void say(std::string line) { message_ = std::move(line); }
 
-    /// Switches the headlight on or off, and tells the user by say(): the action of the key l in
-    /// viewers of surfaces. `is_on` is the viewer's setting.
+    /// Switches the headlight on or off, and tells the user by say(). This is the action of the key
+    /// l in viewers of surfaces. `is_on` is the viewer's setting.
     void switch_headlight(bool& is_on);
 
     /// Switches between perspective and parallel projection, and tells the user by say().

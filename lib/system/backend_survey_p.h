@@ -40,8 +40,8 @@ public:
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
     /// Chooses a row without a question: the first automatic row that serves fully, else the first
-    /// automatic row that serves. If DISPLAY is set and the display cannot be opened, it throws: a
-    /// user who set DISPLAY wants a window.
+    /// automatic row that serves. If DISPLAY is set and the display cannot be opened, it throws,
+    /// since a user who set DISPLAY wants a window.
     ///
     /// Errors:  l3d_error: no_display or display_lost for a display that cannot be opened;
     ///          otherwise no_backend, with all rows' reasons.

@@ -16,7 +16,7 @@
 
 class l3d_options;
 
-/// A back-end, a way to show pictures: one row of the table of l3d_factory_manager.
+/// A back-end: a way to show pictures. Back-ends are the rows of the table of l3d_factory_manager.
 struct L3D_PUBLIC l3d_backend {
     std::string name;    ///< the back-end's name, as --backend takes it
     std::string purpose; ///< the back-end's use, in a few words
@@ -25,8 +25,8 @@ struct L3D_PUBLIC l3d_backend {
     bool on_display = false;   ///< whether the back-end needs a display
     bool unseen = false;       ///< whether nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< whether it writes its pictures to files itself
-    /// Whether the row is a variant of another row, as mesa:egl is of mesa. --list-backends lists
-    /// variants; the prompt does not.
+    /// Whether this row is a variant of another row, as mesa:egl is a variant of mesa.
+    /// --list-backends lists variants; the prompt does not.
     bool variant = false;
     std::unique_ptr<l3d_screen_factory> screen_factory; ///< makes the back-end's screens
     /// Makes the back-end's rasterizers; canvases share the factory.

@@ -91,8 +91,8 @@ private:
     std::ostream* out_; ///< the stream for lines: file_ or the standard output
 };
 
-/// The settings with which a dispatcher is made: which frames to make, when, and where to write
-/// them.
+/// The settings with which a dispatcher is made. They tell which frames to make, when to make
+/// frames, and where to write pictures.
 struct L3D_PUBLIC l3d_frame_settings {
     /// The number of frames. 0 means one frame without a display; with a window, frames go on until
     /// the pipeline is done.

@@ -24,8 +24,8 @@ namespace l3d_detail {
 /// then "reading a.obj, 1 s" and so on over the same line. At the end it erases the line. For work
 /// of less than half a second it writes nothing.
 ///
-/// The work itself calls nothing: a thread of this object's own counts the seconds. If the system
-/// gives no thread, nothing is written.
+/// The work itself need not call this object, since a thread of the object counts the seconds. If
+/// the system gives no thread, nothing is written.
 /// Lives:   borrows the stream. Nobody else may write to the stream meanwhile.
 class long_work {
 public:

@@ -52,7 +52,7 @@ template <class T> constexpr double end_of() {
 }
 
 /// Whether a plug-in's double fits l3d_real. A number that does not fit would wrap round or be
-/// infinite. It is false for NaN.
+/// infinite. The result is false for NaN.
 bool is_in_range(double value) {
     return std::abs(value) < end_of<l3d_real>();
 }

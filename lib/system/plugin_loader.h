@@ -41,7 +41,7 @@ private:
 };
 
 /// The folder of plug-ins: ../lib/l3d, seen from the program's own folder, if this folder exists.
-/// So programs that were built or installed with l3d find their plug-ins wherever they are moved
+/// So programs that were built or installed with l3d still find their plug-ins if all are moved
 /// together. Otherwise the result is lib/l3d in the prefix that l3d was built for.
 L3D_PUBLIC std::string l3d_plugin_folder();
 

@@ -17,7 +17,7 @@
 #include <utility>
 
 /// The common part of every main function: reads the command line, chooses a back-end, and reports
-/// errors. So main itself shows only the five steps.
+/// errors. So main itself consists only of the five steps.
 ///
 ///     int main(int argc, char** argv) {
 ///         l3d_program program("drawdot", "A dot leaves a trail.", {320, 200});

@@ -228,9 +228,9 @@ private:
     face_writer faces_;
     std::map<std::string, int> names_;
     std::optional<look> look_;
-    /// Number of each shape that was written.
+    /// The number of each written shape, by its label.
     NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_;
-    std::vector<std::optional<look>> whole_; ///< look of each shape as a whole
+    std::vector<std::optional<look>> whole_; ///< for each shape, the look that it has as a whole
 };
 
 /// The shares of the work that are done after three stages, in large files. The stages are reading

@@ -11,7 +11,7 @@ namespace l3d_limit {
 /// One coordinate of 4 x 4 control points. The index along u changes fastest.
 using net = std::array<double, 16>;
 
-/// A bit for each side of a face: v = 0, u = 1, v = 1, u = 0. It is set if the side has no
+/// A bit for each side of a face: v = 0, u = 1, v = 1, u = 0. A bit is set if its side has no
 /// neighbour.
 enum side_bits : unsigned { v_low = 1, u_high = 2, v_high = 4, u_low = 8 };
 

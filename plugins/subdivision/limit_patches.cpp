@@ -59,9 +59,9 @@ place point_of(const std::array<net, 3>& of, std::size_t k) {
     return {of[0][k], of[1][k], of[2][k]};
 }
 
-/// Gives all patches that meet at a vertex or along an edge the same control points there, bit for
-/// bit. These are the points of the coarsest patch. Where neighbours are half as large, they are
-/// the points of the halves of its side.
+/// Gives all patches that meet at a vertex or along an edge the same control points at this place,
+/// bit for bit. These are the points of the coarsest patch. Where neighbours are half as large,
+/// they are the points of the halves of its side.
 class common_borders {
 public:
     explicit common_borders(const refined_mesh& mesh) : mesh_(mesh) {
@@ -75,8 +75,9 @@ public:
 
     /// Replaces the control points on the sides of a leaf's patch by the points common to all
     /// patches there.
-    /// Expects: it is called for coarser leaves before finer ones, and in each level for exact
-    ///          patches first. Returns the largest distance by which a control point was moved.
+    /// Expects: unite() is called for coarser leaves before finer leaves, and in each level for
+    ///          exact patches first. Returns the largest distance by which a control point was
+    ///          moved.
     double unite(const leaf& of, std::array<net, 3>& patch) {
         const std::array<net, 3> before = patch;
         const auto put = [&](std::size_t k, const place& to) {

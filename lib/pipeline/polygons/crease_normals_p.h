@@ -15,10 +15,10 @@ namespace l3d_detail {
 /// Finds normals for corners of faces at creases. There, one normal at the vertex does not suit all
 /// faces around the vertex.
 ///
-/// An edge is smooth if the normals of its two faces are at most the crease angle apart. Faces
-/// around a vertex that smooth edges connect share a normal there: the mean of their own normals,
-/// weighted by area. If smooth edges connect all faces around a vertex, the vertex keeps its one
-/// normal.
+/// An edge is smooth if the normals of its two faces are at most the crease angle apart. Around a
+/// vertex, faces that smooth edges connect share a normal. It is the mean of the faces' own
+/// normals, weighted by area. If smooth edges connect all faces around a vertex, the vertex keeps
+/// its one normal.
 /// Cost: k log k for a vertex of k faces.
 class crease_normals {
 public:

@@ -76,7 +76,7 @@ public:
     /// Lists the triangles of all parts one by one. Each triangle tells which of its sides are
     /// sides of its face. A clipped triangle comes as pieces, with the outline of the polygon that
     /// clipping leaves.
-    /// Expects: model and view of the last make are still there.
+    /// Expects: model and view of the last make() still exist.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
     /// The ends of the parts in the list that list() makes: part i ends before triangle ends()[i].
@@ -146,7 +146,8 @@ private:
     std::optional<frame_input> input_; ///< input of the last make
     l3d_detail::placed_vertices vertices_;
     l3d_detail::triangle_neighbours neighbours_;
-    std::vector<turn> turns_; ///< the turn of each of the model's triangles, for anti-aliasing
+    /// For each of the model's triangles, its turn in the picture; used for anti-aliasing.
+    std::vector<turn> turns_;
     std::vector<chunk> chunks_;
     std::size_t count_ = 0; ///< number of chunks that are in use
     std::vector<const l3d_surface_part*> parts_;

@@ -42,8 +42,8 @@ struct L3D_PUBLIC l3d_facing_block {
     double reach = 0;  ///< largest distance of a first corner from `middle`
 };
 
-/// The usual crease angle: faces whose normals differ by more have a crease where they meet. With
-/// this angle, a prism of 12 or more sides looks like a round body. Units: degrees.
+/// The usual crease angle. Two faces whose normals differ by more have a crease where they meet.
+/// With this angle, a prism of 12 or more sides looks like a round body. Units: degrees.
 inline constexpr double l3d_usual_crease_angle = 30;
 
 /// A polygon mesh with all that drawing needs, computed once: faces as triangles, normals of faces
@@ -101,11 +101,11 @@ public:
     /// counterclockwise as seen from the side that its normal points to.
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
-    /// The unit normal of each vertex. A normal that the mesh gives is kept; all of them are
-    /// reversed if most point away from their faces' fronts. If the mesh gives no normal for a
-    /// vertex, the vertex's normal is the mean of the normals of the faces around it, weighted by
-    /// area. A vertex without a face has the normal 0. At creases, corner_normal() has other
-    /// normals.
+    /// The unit normal of each vertex. A normal that the mesh gives is kept, but all these normals
+    /// are reversed if most of them point away from their faces' fronts. If the mesh gives no
+    /// normal for a vertex, the vertex's normal is the mean of the normals of the faces around it,
+    /// weighted by area. A vertex without a face has the normal 0. At creases, corner_normal() has
+    /// other normals.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
     /// The normal that a triangle is lit with at a corner. It is the vertex's normal. At a crease
@@ -137,8 +137,8 @@ public:
     /// Makes a model that shows all faces but those of these parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// Makes a model of the shown faces in front of a plane. Faces that cross the plane are cut
-    /// there, and bodies stay open. Pictures are left out. Normals are made anew with the usual
+    /// Makes a model of the shown faces in front of a plane. Faces that cross the plane are cut at
+    /// the plane, and bodies stay open. Pictures are left out. Normals are made anew with the usual
     /// crease angle, unless the mesh has its own. The new model keeps the box and centre() of this
     /// model.
     /// Cost: as the constructor.
@@ -212,8 +212,8 @@ private:
         std::vector<std::uint32_t> materials_of_faces; ///< for each face, an index in materials
         std::vector<std::shared_ptr<const l3d_texture>> textures;
         std::vector<l3d_painted_triangle> painted;
-        /// True for faces whose vertices' colours are ignored (part_painted); empty if there are
-        /// none.
+        /// For each face, whether the colours of its vertices are ignored (part_painted). Empty if
+        /// no face ignores colours.
         std::vector<bool> repainted;
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
         double radius = 0;

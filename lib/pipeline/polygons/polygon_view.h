@@ -126,7 +126,8 @@ struct L3D_PUBLIC l3d_polygon_pick {
     l3d_camera::vector normal{0.0, 0.0, 0.0};
     double normal_error = 0; ///< error of the normal, as the length of a difference
 
-    /// All values as text, a line each: name, value and error. Faces and vertices count from 0.
+    /// All values as text. Each line has a value's name, the value, and its error. Faces and
+    /// vertices count from 0.
     std::string text() const;
 
     /// The text of face and point alone, in one line.

@@ -45,7 +45,7 @@ private:
 
 /// A thing in a world: its polygons, its placement, and its behaviour from frame to frame.
 ///
-/// The polygons themselves are never transformed: every frame starts from them, so rounding deforms
+/// The polygons themselves are never changed: every frame transforms a copy, so rounding deforms
 /// nothing. The placement is a list of matrices, and the first matrix is applied first. The product
 /// of the matrices is updated automatically. The behaviour comes from a subclass, or from a
 /// plug-in.
@@ -59,14 +59,14 @@ public:
     /// Makes an object of these polygons. Expects: mesh.is_valid().
     explicit l3d_object(l3d_polygon_mesh mesh) { set_mesh(std::move(mesh)); }
     l3d_object& operator=(const l3d_object&) = delete;
-    /// Objects that hung from this one have no parent afterwards. Then only their own matrices
-    /// place them.
+    /// Objects that hung from this one have no parent afterwards. From then on, only their own
+    /// matrices place these objects.
     virtual ~l3d_object();
 
     std::string name; ///< the object's name for messages; several objects may have the same name
 
-    /// Replaces the object's polygons, and the pictures on them (l3d_read_textures). Pictures are
-    /// seen only if the world is drawn by depth. Expects: mesh.is_valid().
+    /// Replaces the object's polygons, and the pictures on the polygons (l3d_read_textures).
+    /// Pictures are seen only if the world is drawn by depth. Expects: mesh.is_valid().
     void set_mesh(l3d_polygon_mesh mesh,
                   std::vector<std::shared_ptr<const l3d_texture>> textures = {});
     /// The polygons, in the object's own coordinates.

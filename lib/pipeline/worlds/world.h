@@ -79,8 +79,9 @@ private:
     std::vector<std::uint32_t> clipped_, before_; ///< corners of the polygon that is being clipped
     std::vector<l3d_point_2d> corners_;           ///< corners of all polygons
     std::vector<polygon> polygons_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>
-        order_; ///< for each polygon, a key that falls as depth rises, and its index
+    /// For each polygon, a sort key and the polygon's index. Keys fall as depth rises. In the order
+    /// as_added, all keys are 0.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order_;
 };
 
 class l3d_world_surfaces;

@@ -45,7 +45,8 @@ public:
     std::size_t count_whole(std::size_t begin, std::size_t end) const;
 
 private:
-    /// Whether any of an item's pixels is seen, and whether any is hidden: 1 or 0.
+    /// Whether any pixel of an item is seen, and whether any pixel is hidden. 1 stands for yes, 0
+    /// for no.
     struct parts {
         std::uint8_t seen = 0, hidden = 0;
     };

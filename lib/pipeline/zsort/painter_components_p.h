@@ -14,7 +14,7 @@
 namespace l3d_detail {
 
 /// A thing that is put into an order, such as a triangle: its sort key in the upper 32 bits, its
-/// number in the lower ones.
+/// number in the lower 32 bits.
 ///
 /// Sorted nodes stand in the order of these integers. So two nodes can be compared without a table
 /// of their places in the sorted list.
@@ -27,9 +27,9 @@ constexpr std::uint32_t number_of(order_node node) {
     return static_cast<std::uint32_t>(node);
 }
 
-/// Puts nodes into an order in which each comes after the nodes that it needs. Nodes that need each
-/// other in a cycle form one strongly connected component. The graph's edges are computed while it
-/// is walked.
+/// Puts nodes into an order in which each node comes after the nodes that it needs. Nodes that need
+/// each other in a cycle form one strongly connected component. The graph's edges are computed
+/// while it is walked.
 ///
 /// Cost:   linear in nodes and edges; deep graphs take no stack. A node without edges costs a bit
 ///         and a call. Memory is kept for the next walk.

@@ -70,7 +70,8 @@ private:
     static std::uint64_t bits_of(float number) { return std::bit_cast<std::uint32_t>(number); }
 
     std::span<const painter_entry> members_;
-    /// For each member, depth bits of its farthest corner, then its index.
+    /// A number for each member. Its upper half is the depth bits of the member's farthest corner;
+    /// its lower half is the member's index.
     std::vector<std::uint64_t> order_;
     std::vector<std::uint64_t> cells_; ///< cells of the members, in the order of order_
 };

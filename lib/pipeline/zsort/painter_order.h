@@ -16,8 +16,8 @@
 /// Puts triangles into an order in which painting them gives the right picture. It sorts triangles
 /// by their farthest corner, finds where this order is wrong, and mends it.
 ///
-/// Only triangles that meet in the picture need an order: each comes after the triangles that it
-/// partly hides. Some sets of triangles have no such order, since they go through each other or
+/// Only triangles that meet in the picture need an order. A triangle comes after the triangles that
+/// it partly hides. Some sets of triangles have no such order, since they go through each other or
 /// overlap in a circle. Such sets are the strongly connected components of more than one member.
 /// Their members are cut by each other's planes until there is an order. The picture is exact,
 /// except in pixels whose two nearest depths differ by less than 2^-36 of the nearest corner's

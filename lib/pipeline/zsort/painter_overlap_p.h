@@ -36,8 +36,8 @@ struct front_parts {
 inline constexpr double painter_tie = 0x1p-36;
 
 /// Whether the insides of two triangles meet, decided exactly. If they do not meet, the triangles
-/// have no pixel in common. This holds since the fill rule treats a pixel's centre on an edge as if
-/// it lay a little to the right and below.
+/// have no pixel in common. The reason is the fill rule, which treats a pixel's centre on an edge
+/// as if the centre lay a little to the right and below.
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 
@@ -51,8 +51,8 @@ front_parts front_of(const std::array<l3d_micro_vertex, 3>& a,
 front_parts front_over(std::span<const picture_point> region, const l3d_picture_plane& first,
                        const l3d_picture_plane& second, double tie);
 
-/// Finds the common part of two convex polygons. It gets a margin of 2^-12 sub-pixel around it, so
-/// that rounding loses nothing.
+/// Finds the common part of two convex polygons. This part gets a margin of 2^-12 sub-pixel on all
+/// sides, so that rounding loses nothing.
 ///
 /// Lives:   `out` gets the result; `scratch` is working memory.
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,

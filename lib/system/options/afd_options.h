@@ -15,7 +15,7 @@
 #include <string>
 
 /// Adds options for model, accuracy, camera and shading to the command line of a program, and makes
-/// models, cameras and settings of them.
+/// models, cameras and settings of their values.
 ///
 /// Lives:   borrows the l3d_options, which borrow this object until parse() is done.
 class L3D_PUBLIC l3d_afd_options {
@@ -63,7 +63,7 @@ public:
     void lay_picture(l3d_patch_scene& scene) const;
 
     /// Writes the line drawing of a scene that --svg asks for. The camera shows all of the scene,
-    /// unless the user places a camera. Returns whether --svg was given: then the program has
+    /// unless the user places a camera. Returns whether --svg was given. If it was, the program has
     /// nothing more to do. If the drawing is empty, a line on stderr tells why.
     /// Errors: l3d_error(usage) beside --output and --frames; l3d_error(failure) that names the
     ///         file and the system's reason.

@@ -46,7 +46,8 @@ struct L3D_PUBLIC l3d_common_options {
     std::string output; ///< file of the last picture, of every picture, or "-"; empty for none
 };
 
-/// A command line: the program declares its options by add(), and then reads them once by parse().
+/// A command line. The program declares its options by add(), and then reads the command line once
+/// by parse().
 ///
 /// Every add() borrows a variable for the option's value. The variable's present value is the
 /// default, which --help prints; parse() replaces it. `name` is "--long" or "-s,--long".
@@ -129,8 +130,8 @@ public:
 
     /// Reads the command line. Returns false if --help or --version was printed, so that the
     /// program should end with success. Standard streams that are closed are first opened on
-    /// /dev/null. Otherwise a socket would get the number of a standard stream, and with it all
-    /// printed text.
+    /// /dev/null. Otherwise a socket could get the number of a standard stream, and then all
+    /// printed text would go to the socket.
     ///
     /// Errors:  l3d_error(usage) that names the option and the value. It is also thrown if two
     ///          options name the same file, or both name the standard output.
