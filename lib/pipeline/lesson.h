@@ -68,7 +68,8 @@ private:
     /// moved by (right, down).
     /// Units: pixels.
     virtual void drag(int x, int y, int right, int down);
-    /// Called when the mouse wheel turns. `notches` are positive if it turns away from the user.
+    /// Called when the mouse wheel turns. `notches` are positive if the wheel turns away from the
+    /// user.
     virtual void roll(int notches);
 
     l3d_lesson(bool is_classic, l3d_canvas&& canvas);

@@ -50,7 +50,8 @@ private:
 
     l3d_panel_style style_;
     l3d_pixel_box picture_;
-    std::vector<l3d_pixel_box> free_; ///< the largest free rectangles; none lies inside another
+    /// The largest free rectangles; no rectangle lies inside another.
+    std::vector<l3d_pixel_box> free_;
 };
 
 } // namespace l3d_detail

@@ -358,7 +358,7 @@ private:
 
     l3d_screen& screen_;
     l3d_font font_;
-    /// Seconds for which the hint still shows; not positive if it does not show.
+    /// Seconds for which the hint still shows. It is not positive if no hint shows.
     double hint_seconds_ = 0;
     l3d_viewed viewed_;
     l3d_view_steering steering_;

@@ -27,7 +27,7 @@ private:
 
     l3d_frame_settings settings_;
     l3d_frame_writer writer_;
-    /// The watch of signals, kept until the screen is closed.
+    /// Watches for signals while the loop runs. It is kept until the screen is closed.
     std::optional<l3d_signal_watch> signals_;
 };
 

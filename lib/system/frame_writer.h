@@ -16,7 +16,7 @@
 #include <string>
 #include <string_view>
 
-/// Writes the frames of a program to files. The name of --output says which frames.
+/// Writes the frames of a program to files. The name of --output says which frames are written.
 /// - "" writes nothing.
 /// - name.png or name.ppm gets the last frame.
 /// - name%04d.png gives every frame a file, numbered from 0 (also %d, %5d, %05d).

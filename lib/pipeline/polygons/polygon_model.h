@@ -109,7 +109,8 @@ public:
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
     /// The normal that a triangle is lit with at a corner. It is the vertex's normal. At a crease
-    /// it may differ, and where the mesh folds over it may be the opposite normal.
+    /// it may be another normal, and where the mesh folds over, the opposite of the vertex's
+    /// normal.
     /// Expects: triangle < triangles().size(), corner < 3.
     const direction& corner_normal(std::size_t triangle, std::size_t corner) const {
         const std::uint32_t of = contents_->crease_corners.empty()

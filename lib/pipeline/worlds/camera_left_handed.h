@@ -81,7 +81,8 @@ public:
 
     /// Turns the axes so that forward() points from the place to `target`; `up` means the same as
     /// for set_axes().
-    /// Errors: returns false, and changes nothing, if a direction is zero or both lie on one line.
+    /// Errors: returns false, and changes nothing, if one of the two directions is zero, or if both
+    ///         lie on one line.
     bool look_at(const point& target, const vector& up = point::of(0, 1, 0).from_origin) {
         return set_axes(target - place, up);
     }

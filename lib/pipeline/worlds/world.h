@@ -28,12 +28,12 @@ enum class L3D_PUBLIC l3d_draw_order {
 };
 
 /// Transforms, clips and projects the polygons of a world's objects, and holds them for one frame,
-/// to draw them in an order.
+/// to draw them in a given order (l3d_draw_order).
 ///
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
 /// at near_z, and far outside the picture. Polygons wholly beyond far_z are left out.
-/// Cost:   time linear in vertices and polygons, apart from sorting. The memory is that of the
-///         frame with the most polygons so far, at most 2^32.
+/// Cost:   time linear in vertices and polygons, apart from sorting. Memory is kept for as many
+///         polygons as any frame had so far, at most 2^32.
 /// Source: the order of the steps is that of l3d_world::draw_all in the book.
 class L3D_PUBLIC l3d_facet_list {
 public:

@@ -133,7 +133,7 @@ private:
     std::vector<mark> marks_; ///< marks of the nodes that were seen, by number
     std::vector<bool> is_seen_;
     std::vector<call> calls_;
-    /// Edges of all nodes in calls_; those of the last node stand at the end.
+    /// Edges of all nodes in calls_. The edges of the last node stand at the end.
     std::vector<order_node> edges_;
     std::vector<order_node> open_; ///< nodes that were seen and are not in a component yet
     order_node turn_ = 0; ///< the node from which the walk goes on; all lesser nodes were emitted

@@ -168,8 +168,8 @@ public:
     /// Sets the back-end that is taken if the user names none.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
-    /// Sets a function that is called while a model file is read, with the file's name and the
-    /// share that is read, from 0 to 1. If `watch` returns false, reading stops.
+    /// Sets a function that is called while a model file is read. It gets the file's name and the
+    /// share of the file that is read, from 0 to 1. If `watch` returns false, reading stops.
     void watch_loads(std::function<bool(const std::string& file, double share)> watch) {
         load_watch_ = std::move(watch);
     }
