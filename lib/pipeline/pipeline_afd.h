@@ -277,7 +277,7 @@ public:
 
 protected:
     /// The rasterizer by which draw_overlay draws points, lines and polygons on the picture. After
-    /// this call, all of the next frame that differs is drawn.
+    /// this call, the next frame with changes is drawn whole, not only in the parts that changed.
     l3d_rasterizer_2d& rasterizer() {
         touch();
         return rasterizer_;
@@ -291,8 +291,8 @@ protected:
     /// Units: pixels.
     double bound() const { return report_.dice.bound_px; }
 
-    /// The picture, for draw_overlay and paint_surfaces to write into. After this call, all of the
-    /// next frame that differs is drawn.
+    /// The picture, for draw_overlay and paint_surfaces to write into. After this call, the next
+    /// frame with changes is drawn whole, not only in the parts that changed.
     l3d_pixels pixels() {
         touch();
         return screen_->pixels();
