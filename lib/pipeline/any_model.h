@@ -19,14 +19,14 @@
 using l3d_any_model = std::variant<l3d_patch_model, l3d_polygon_model>;
 
 /// Loads a model file in any format of l3d_read_model. A file of patches alone gives patches. Any
-/// other file gives polygons: its patches become quads, as l3d_polygon_model::load makes them. If
-/// `notes` is not null, notes on skipped lines are added to it.
+/// other file gives polygons. Patches of such a file become quads, as l3d_polygon_model::load makes
+/// them. If `notes` is not null, notes on skipped lines are added to it.
 /// Errors: throws l3d_error(bad_input) with file, line and reason, also for a file without patches
 ///         and polygons, and for patches that l3d_patch_model::from_patches refuses.
 L3D_PUBLIC l3d_any_model l3d_load_any_model(const std::string& file,
                                             std::vector<std::string>* notes = nullptr);
 
-/// The contents of a model file as a pipeline draws them: patches as a scene, or polygons.
+/// The contents of a model file in the form that a pipeline draws: a scene of patches, or polygons.
 using l3d_any_scene = std::variant<l3d_patch_scene, l3d_polygon_model>;
 
 /// Loads a model file as l3d_load_any_model does. A shape that stands at many places, as in an

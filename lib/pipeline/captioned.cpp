@@ -40,8 +40,8 @@ void captioned::key_event(int key) {
     follow();
 }
 
-/// Hides the hint when a button is pressed: then the user looks at the picture, not at words on
-/// top.
+/// Hides the hint when a button is pressed. From then on, the user looks at the picture, not at
+/// words on top.
 void captioned::pointer_event(const l3d_event& event) {
     if (event.type == l3d_event_type::button_press && hint_is_shown()) {
         hint_seconds_ = 0;
@@ -112,7 +112,7 @@ void captioned::uncover() {
     covered_ = {};
 }
 
-/// Draws the panels that are to be seen, and keeps the pixels below them for uncover().
+/// Draws the panels that are to be seen, and keeps the pixels below the panels for uncover().
 void captioned::cover() {
     texts_.clear();
     l3d_panel message;
@@ -146,8 +146,8 @@ void captioned::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_
     texts_.push_back(box);
 }
 
-/// Draws the first of hints() that leaves most of the picture free. Returns whether there is such a
-/// hint.
+/// Draws the first of hints() that leaves most of the picture free. Returns whether a hint is
+/// drawn.
 bool captioned::draws_a_hint(l3d_rasterizer_2d& rasterizer) {
     const int share = caption_.teaches.empty() ? largest_share : largest_share_of_lesson;
     for (const l3d_panel& hint : hints()) {

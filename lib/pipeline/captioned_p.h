@@ -21,10 +21,10 @@ namespace l3d_detail {
 /// that pipeline. Before the pipeline draws again, the pixels that the caption covered are
 /// restored, since some programs draw on top of the last picture.
 ///
-/// For some seconds after the start, a panel tells the subject, the lesson, and some keys. If that
-/// panel would hide much of the picture, it gets shorter: down to the key that lists all keys, or
-/// nothing. The help keys show all keys, page after page, and then hide the help. Another panel
-/// shows the pipeline's message.
+/// For some seconds after the start, a panel tells the subject, the lesson, and some keys. If this
+/// panel would hide much of the picture, it tells less: at least the key that lists all keys, or
+/// else it is left out. The help keys show all keys, page after page, and then hide the help.
+/// Another panel shows the pipeline's message.
 ///
 /// Lives: borrows pipeline and screen.
 class captioned final : public l3d_pipeline {

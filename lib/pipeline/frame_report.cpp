@@ -38,8 +38,9 @@ l3d_detail::json number_or_null(double value) {
     return std::isfinite(value) ? l3d_detail::json(value) : l3d_detail::json(nullptr);
 }
 
-/// The number of patches over the tolerance, and the worst such patch: its index in its model, and
-/// its instance's index in the scene.
+/// The patches over the tolerance as JSON: their number, the number of those that the budget left
+/// unfinished, and the worst patch. The worst patch has its instance's index in the scene, its
+/// index in its model, and its bound.
 l3d_detail::json over_tolerance_of(const l3d_dice_counts& dice) {
     l3d_detail::json result{{"patches", dice.coarse}, {"for_budget", dice.unfinished}};
     if (dice.coarse > 0)

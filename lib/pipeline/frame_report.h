@@ -12,7 +12,8 @@
 #include <limits>
 #include <string>
 
-/// Times of the stages that frames of patches and of polygons share, by the monotonic clock.
+/// Times of the stages that are common to frames of patches and frames of polygons, by the
+/// monotonic clock.
 /// Units: milliseconds.
 struct L3D_PUBLIC l3d_common_times {
     double raster = 0;  ///< clearing and filling the picture: coverage, depth, shading, lines
@@ -32,12 +33,12 @@ struct L3D_PUBLIC l3d_common_report {
     std::string simd;           ///< vector instructions, as l3d_simd_target names them
     l3d_size size;              ///< size of the picture, in pixels
     int threads = 1;            ///< threads that drew
-    l3d_surface_counts surface; ///< counts of the work of filling surfaces
+    l3d_surface_counts surface; ///< counts of work while surfaces were filled
     std::uint64_t hash = 0;     ///< l3d_hash of the picture
 };
 
-/// A picture's fingerprint, to compare pictures by: the 64-bit hash FNV-1a of the pixel words, row
-/// by row from the top, each word's lowest byte first.
+/// A picture's fingerprint, by which pictures can be compared. It is the 64-bit hash FNV-1a of the
+/// pixel words, row by row from the top. The lowest byte of each word comes first.
 /// Source: Fowler, Noll, Vo; constants from RFC 9923.
 L3D_PUBLIC std::uint64_t l3d_hash(const l3d_pixels& pixels);
 
@@ -52,17 +53,18 @@ struct L3D_PUBLIC l3d_stage_times : l3d_common_times {
 /// The report of one frame of patches.
 struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     double tolerance_px = 0; ///< the permitted error of places in the picture, in pixels
-    /// Distance of the near plane: the camera's, or a farther one that rounding needs.
+    /// Distance of the near plane that was used. It is the camera's, or farther if rounding needs
+    /// it.
     double near_z = 0;
     l3d_stage_times time_ms;  ///< times of the stages, in milliseconds
     std::int64_t patches = 0; ///< patches of all instances, seen or not
-    l3d_dice_counts dice;     ///< patches seen, steps, and the certified bounds
-    /// The number of pixels that keep their colour from the last frame, since nothing changed in
-    /// them.
+    l3d_dice_counts dice; ///< counts of seen patches and of steps, and the certified error bounds
+    /// The number of pixels that keep their colour from the last frame, since nothing changed
+    /// there.
     std::int64_t pixels_kept = 0;
 
-    /// The part of the bounds of places and depth that covers approximation: some models' surfaces
-    /// are not bicubic, and their patches approximate them. Units: pixels.
+    /// The part of the bounds of places and depth that comes from approximation. Surfaces that are
+    /// not bicubic are drawn as patches that approximate them. Units: pixels.
     double curved_px = 0;
 
     /// The number of pixels that an outline may cross, so that it is not certain which surface they
@@ -82,8 +84,8 @@ struct L3D_PUBLIC l3d_frame_report : l3d_common_report {
     /// One line of JSON, without the line's end.
     std::string json() const;
 
-    /// Explains the work that the frame left out: a line for each reason, with the test that proved
-    /// it.
+    /// Explains the work that the frame left out. Each reason has a line, with the test that proved
+    /// that the work was not needed.
     std::string explanation() const;
 
 private:
@@ -92,9 +94,9 @@ private:
 
 /// The counts of a model's triangles in a frame: those drawn, and those left out by reason.
 struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
-    std::int64_t back = 0; ///< left out: seen from behind, or without area
+    std::int64_t back = 0; ///< triangles left out: seen from behind, or without area
 
-    /// Adds the counts of other triangles to these.
+    /// Adds the counts of `other` to this object's counts.
     void add(const l3d_polygon_counts& other) {
         l3d_seen_counts::add(other);
         back += other.back;
@@ -105,7 +107,8 @@ struct L3D_PUBLIC l3d_polygon_counts : l3d_seen_counts {
 struct L3D_PUBLIC l3d_painter_order_counts {
     std::int64_t triangles = 0; ///< triangles to be ordered
     std::int64_t pairs = 0; ///< pairs of triangles that were compared, since they may share pixels
-    /// Sets of triangles that hide each other in a circle: without cuts they have no right order.
+    /// The number of sets of triangles that hide each other in a circle. Without cuts, such a set
+    /// has no right painting order.
     std::int64_t knots = 0;
     std::int64_t knotted = 0; ///< triangles in the knots
     std::int64_t cuts = 0;    ///< triangles and pieces cut in two
@@ -119,17 +122,18 @@ struct L3D_PUBLIC l3d_polygon_times : l3d_common_times {
 
 /// The report of one frame of polygons.
 struct L3D_PUBLIC l3d_polygon_report : l3d_common_report {
-    l3d_polygon_times time_ms;      ///< times of the stages, in milliseconds
-    std::int64_t faces = 0;         ///< faces of the model
-    std::int64_t triangles = 0;     ///< triangles of its faces
-    l3d_polygon_counts polygons;    ///< triangles drawn, and left out by reason
-    l3d_painter_order_counts order; ///< the work of ordering; zeros with a depth buffer
+    l3d_polygon_times time_ms;   ///< times of the stages, in milliseconds
+    std::int64_t faces = 0;      ///< faces of the model
+    std::int64_t triangles = 0;  ///< triangles of the model's faces
+    l3d_polygon_counts polygons; ///< triangles drawn, and left out by reason
+    /// Counts of the work of ordering triangles; zeros with a depth buffer.
+    l3d_painter_order_counts order;
 
     /// One line of JSON, without the line's end.
     std::string json() const;
 
-    /// Explains the work that the frame left out: a line for each reason, with the test that proved
-    /// it.
+    /// Explains the work that the frame left out. Each reason has a line, with the test that proved
+    /// that the work was not needed.
     std::string explanation() const;
 };
 

@@ -15,8 +15,8 @@
 namespace l3d_detail {
 
 /// Collects the pictures that lie on a frame's patches, for the rasterizer to paint. Each quad
-/// under a picture gets a name: a number that replaces its material's, and by which the rasterizer
-/// finds the picture.
+/// under a picture gets a name, a number that replaces the number of the quad's material. The
+/// rasterizer finds the picture by this name.
 class laid_pictures {
 public:
     /// Starts a frame. Names begin at `materials`, the number of the scene's materials. Returns the
@@ -29,7 +29,8 @@ public:
         return scene.has_pictures() ? &paints_ : nullptr;
     }
 
-    /// Names the polygons of `batch`, the dicer's last batch, if pictures lie on them.
+    /// Names the polygons that dicing made of `batch`, the dicer's last batch, if pictures lie on
+    /// the patches.
     /// Expects: begin returned paints.
     template <class T>
     void add(const l3d_patch_scene& scene, std::span<const l3d_placed_patch> batch,
@@ -49,7 +50,8 @@ public:
     }
 
 private:
-    /// The map from a patch, which may be a part of a piece, to the picture on the piece.
+    /// The map from a patch's parameters to the picture on the patch's piece. The patch may be only
+    /// a part of the piece.
     static picture_map map_of(const l3d_patch_model& model, const l3d_laid_picture& picture,
                               std::size_t patch) {
         const std::size_t piece = model.piece_of(patch);

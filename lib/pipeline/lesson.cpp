@@ -8,7 +8,7 @@
 namespace {
 
 /// The ground of lessons: darker than the ground of viewers, since the book's colours are made for
-/// a black one.
+/// a black ground.
 constexpr l3d_background dark{0x000b0f15, 0x00283241};
 
 } // namespace

@@ -40,7 +40,7 @@ protected:
     /// Whether pictures look like those of the book: hard edges, letters of dots, a black ground.
     bool is_classic() const { return is_classic_; }
 
-    /// The background where nothing is drawn: that of set_ground, or at first a dark one, black if
+    /// The background where nothing is drawn. Before a call of set_ground it is dark, or black if
     /// pictures are classic.
     const l3d_background& ground() const { return ground_; }
     /// Changes the ground that clear() draws from now on. The last picture keeps its ground until
@@ -63,11 +63,13 @@ private:
     virtual void advance(double seconds) = 0;
     /// Puts the lesson's world back to its beginning. Called at the key r.
     virtual void restart() = 0;
-    /// Called when the pointer moves with the first mouse button held, and with a motion of 0 when
-    /// that button is pressed. The pointer is at (x, y) and has moved by (right, down).
+    /// Called when the pointer moves while the first mouse button is held. It is also called when
+    /// the user presses this button, then with a motion of 0. The pointer is at (x, y) and has
+    /// moved by (right, down).
     /// Units: pixels.
     virtual void drag(int x, int y, int right, int down);
-    /// Called when the mouse wheel turns. `notches` are positive if it turns away from the user.
+    /// Called when the mouse wheel turns. `notches` are positive if the wheel turns away from the
+    /// user.
     virtual void roll(int notches);
 
     l3d_lesson(bool is_classic, l3d_canvas&& canvas);
@@ -77,9 +79,9 @@ private:
     bool is_classic_;
     l3d_background ground_;
     bool stopped_ = false;
-    bool is_stale_ = true; ///< the next picture may differ from the last one
-    bool is_bare_ = true;  ///< there is no last picture to draw on
-    bool is_held_ = false; ///< the first button is held
+    bool is_stale_ = true; ///< whether the next picture may differ from the last picture
+    bool is_bare_ = true;  ///< whether there is no last picture to draw on
+    bool is_held_ = false; ///< whether the first mouse button is held
     int x_ = 0, y_ = 0;    ///< the pointer's last place
 };
 

@@ -18,8 +18,8 @@ l3d_method_afd<T>::l3d_method_afd(const l3d_rasterizer_factory& rasterizers, l3d
     : workers_(workers), surface_(rasterizers.create_surface(workers)), used_(surface_.get()),
       dicer_(workers) {}
 
-/// The rasterizer for a shading. The library's own draws inspecting shades and fog if the canvas's,
-/// such as OpenGL, cannot.
+/// The rasterizer for a shading. It is the canvas's rasterizer if that can draw the shading. OpenGL
+/// cannot draw inspecting shades and fog: these need the library's own rasterizer.
 template <class T>
 l3d_surface_rasterizer& l3d_method_afd<T>::surface_for(const l3d_shading& shading) {
     const bool is_special = l3d_sees_patches(shading.mode) || shading.fog.is_on();
@@ -39,7 +39,7 @@ l3d_method_afd<T>::next_batch(const l3d_surface_rasterizer& surface) {
 }
 
 /// Draws batch after batch, so that patches behind nearer batches need not be diced. Most scenes
-/// are one batch. Then no depth of the whole picture is needed, unless the frame wants depth.
+/// are one batch. Such a scene needs no depth of the whole picture, unless the frame wants depth.
 template <class T>
 void l3d_method_afd<T>::do_draw(const l3d_method_frame& frame, l3d_stage_times& times) {
     l3d_dice_view view = frame.view;

@@ -14,9 +14,9 @@
 
 #include <memory>
 
-/// Draws surfaces by adaptive forward differencing: culls patches, dices the others into quads
-/// within the tolerance, and fills the quads. It works batch after batch, from the nearest patches
-/// to the farthest.
+/// Draws surfaces by adaptive forward differencing: leaves out patches that cannot be seen, dices
+/// the remaining patches into quads within the tolerance, and fills the quads. It works batch after
+/// batch, from the nearest patches to the farthest.
 ///
 /// Lives: borrows the workers.
 /// Cost:  once the largest frame has been drawn, frames without outlines allocate nothing.
@@ -56,7 +56,7 @@ private:
     l3d_scene_culling culling_;
     l3d_frame_dicer<T> dicer_;
     l3d_dice_counts counts_;
-    /// Outlines of the last frame, if it asked for them.
+    /// Outlines of the last frame, if the frame asked for outlines.
     std::unique_ptr<l3d_frame_outlines> outlines_;
 };
 

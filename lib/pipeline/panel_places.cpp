@@ -51,8 +51,8 @@ l3d_pixel_box panel_places::draw(l3d_rasterizer_2d& rasterizer, const l3d_panel&
     return box;
 }
 
-/// Takes a box out of the free rectangles. Each rectangle leaves up to four, one on each side of
-/// the box.
+/// Takes a box out of the free rectangles. Up to four rectangles remain of each free rectangle, one
+/// on each side of the box.
 void panel_places::remove(const l3d_pixel_box& box) {
     if (box.empty())
         return;

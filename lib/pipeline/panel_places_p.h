@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// The style of a screen's panels: letters of a size that suits its picture, and an opaque ground
-/// if the screen is slow.
+/// The style of a screen's panels. Letters have a size that suits the screen's picture, and the
+/// ground is opaque if the screen is slow.
 inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) {
     l3d_panel_style style;
     style.font = font;
@@ -26,10 +26,11 @@ inline l3d_panel_style panel_style_of(l3d_screen& screen, const l3d_font& font) 
 /// Finds places for panels, so that none covers another. It keeps a list of the largest rectangles
 /// of the picture that are still free; these may overlap.
 ///
-/// A panel goes into a free rectangle that holds it without further wrapping. If several do, it
-/// takes the one in which it stands nearest to its corner of the picture, first in x, then in y. If
-/// none does, the panel's lines are wrapped to fit the largest rectangle in which all text has
-/// room. If no rectangle has room for all text, the panel gets smaller letters in the largest one.
+/// A panel goes into a free rectangle that holds the panel without further wrapping. If several
+/// rectangles do, the panel goes where it stands nearest to its corner of the picture, first in x,
+/// then in y. If no rectangle does, the panel's lines are wrapped to fit the largest rectangle in
+/// which all text has room. If no rectangle has room for all text, the panel gets smaller letters
+/// in the largest rectangle.
 class panel_places {
 public:
     panel_places(const l3d_pixel_box& picture, const l3d_panel_style& style)
@@ -40,7 +41,7 @@ public:
     bool take(const l3d_panel& panel, l3d_corner corner);
 
     /// Draws a panel in the place that is found for it, and keeps the place. Returns the box that
-    /// the panel covers, empty if there is no place.
+    /// the panel covers; the box is empty if no place was found.
     l3d_pixel_box draw(l3d_rasterizer_2d& rasterizer, const l3d_panel& panel, l3d_corner corner);
 
 private:
@@ -49,7 +50,8 @@ private:
 
     l3d_panel_style style_;
     l3d_pixel_box picture_;
-    std::vector<l3d_pixel_box> free_; ///< the largest free rectangles; none lies inside another
+    /// The largest free rectangles; no rectangle lies inside another.
+    std::vector<l3d_pixel_box> free_;
 };
 
 } // namespace l3d_detail

@@ -18,9 +18,10 @@
 
 /// A part of a model, with the user's choices for the part.
 struct L3D_PUBLIC l3d_listed_part {
-    std::string name;                 ///< the part's name in the model
-    bool is_hidden = false;           ///< whether the part is not to be drawn
-    std::optional<l3d_color> color{}; ///< the part's colour; none stands for the model's own
+    std::string name;       ///< the part's name in the model
+    bool is_hidden = false; ///< whether the part is not to be drawn
+    /// The part's colour; nothing stands for its colour in the model.
+    std::optional<l3d_color> color{};
 
     friend bool operator==(const l3d_listed_part&, const l3d_listed_part&) = default;
 };
@@ -36,8 +37,8 @@ struct L3D_PUBLIC l3d_listed_part {
 /// colour. The wheel scrolls.
 ///
 /// Slashes in names make a tree. "arm/bolt" stands, moved to the right, below a line "arm" for all
-/// parts of the arm. Clicks on the line "arm" hide, show or colour all these parts; a single click
-/// on its name tells their number.
+/// parts of the arm. Clicks on the line "arm" hide, show or colour all parts of the arm. A single
+/// click on the name "arm" tells the number of these parts.
 ///
 /// Lives: a value.
 /// Cost:  a picture draws only the lines that have room. Finding a part by its name looks at all
@@ -55,26 +56,28 @@ public:
     /// The chosen part; null if none is chosen.
     const l3d_listed_part* chosen() const { return chosen_ ? &parts_[*chosen_] : nullptr; }
 
-    /// Chooses the part that is `step` parts after the chosen one; the first follows the last. If
-    /// no part is chosen yet, a step of 1 chooses the first part, and a step of -1 the last.
+    /// Chooses the part that is `step` parts after the chosen part. After the last part, it goes on
+    /// with the first part. If no part is chosen yet, a step of 1 chooses the first part, and a
+    /// step of -1 the last.
     std::string choose_next(int step = 1);
-    /// Chooses the part of this name, such as one that was picked; "" chooses none.
+    /// Chooses the part of this name, such as a part that was picked; "" chooses none.
     void choose(const std::string& name);
-    /// Hides the chosen part, or shows it again. If no part is chosen, it chooses the first one
-    /// before.
+    /// Hides the chosen part, or shows it again. If no part is chosen, the list first chooses the
+    /// model's first part.
     std::string switch_chosen();
-    /// Hides all parts but the chosen one. If that part is already the only one shown, it shows
-    /// all. If no part is chosen, it chooses the first one before.
+    /// Hides all parts but the chosen one. If only the chosen part is shown already, all parts are
+    /// shown again. If no part is chosen, the list first chooses the model's first part.
     std::string isolate_chosen();
-    /// Gives the chosen part the next colour of a palette; after the palette's last colour comes
-    /// the model's own. If no part is chosen, it chooses the first one before.
+    /// Gives the chosen part the next colour of a palette; after the palette's last colour, the
+    /// part gets its own colour in the model again. If no part is chosen, the list first chooses
+    /// the model's first part.
     std::string color_chosen();
     /// Shows all parts.
     void show_all();
     /// Replaces the state and colour of the part with this name. Expects: a name of parts().
     void set(const l3d_listed_part& part);
-    /// Takes back the last change by the user, to the state before it. The owner calls this if no
-    /// part would be left to see.
+    /// Takes the user's last change back: parts get the states and colours from before the change.
+    /// The owner calls this if no part would be left to see.
     void undo() { parts_ = before_; }
 
     /// Whether the list is in the picture.
@@ -89,17 +92,18 @@ public:
     /// Draws the list into its box.
     void draw(l3d_rasterizer_2d& rasterizer, l3d_size picture, const l3d_panel_style& style);
 
-    /// Answers a press of a button or a turn of the wheel over the list. Returns false, with
-    /// nothing done, for an event elsewhere, or a motion or release. `said` gets the text that
-    /// tells the change to the user.
+    /// Answers a press of a button or a turn of the wheel over the list. Returns false, and does
+    /// nothing, for events elsewhere, motions and releases. `said` gets the text that tells the
+    /// change to the user.
     /// Expects: draw() has drawn the present picture.
     bool pointer(const l3d_event& event, std::string& said);
 
 private:
-    /// A line of the list: a part, or the common beginning of the names of parts below it.
+    /// A line of the list. It is a part, or a group: the common beginning of the names of the parts
+    /// below.
     struct line {
         std::string text;
-        std::size_t first, end; ///< the line's parts: from first to before end
+        std::size_t first, end; ///< indices of the line's parts: from `first` to before `end`
         int depth = 0;
         bool is_group = false;
     };

@@ -23,8 +23,8 @@ struct L3D_PUBLIC l3d_frame_times {
     double write = 0; ///< writing picture files
 };
 
-/// The application: a program derives from this class, and the dispatcher calls its functions when
-/// events come from outside.
+/// The application. A program derives a class from this class, and the dispatcher calls the
+/// functions of the derived class when events come from outside.
 ///
 /// Order:   events first, then update_event, then draw_event, then frame_event, once per frame.
 /// Lives:   borrowed by the dispatcher; owns (or borrows from main) its screen and rasterizer.
@@ -38,13 +38,13 @@ public:
     /// Set to true to ask the dispatcher to finish after the current frame.
     bool done = false;
 
-    /// Called for any event, before key_event, pointer_event or resize_event if the event has such
-    /// a call.
+    /// Called for each event. If key_event, pointer_event or resize_event is called for the event
+    /// too, any_event is called before.
     virtual void any_event(const l3d_event& event) { static_cast<void>(event); }
 
-    /// Called when a key was pressed; `key` is an ASCII code or an l3d_key. Some keys reach only
-    /// any_event: keys with Alt or Super held, characters with Ctrl, Shift, Ctrl and Alt by
-    /// themselves, and keys that only type.
+    /// Called when a key was pressed; `key` is an ASCII code or an l3d_key. Some presses reach only
+    /// any_event: those with Alt or Super held, letters with Ctrl held, the keys Shift, Ctrl and
+    /// Alt themselves, and presses that only type text.
     virtual void key_event(int key) { static_cast<void>(key); }
 
     /// Called when a mouse button was pressed or released, or the pointer or the wheel moved.
@@ -69,7 +69,7 @@ public:
     virtual void interrupt_when(std::function<bool()> wanted) { static_cast<void>(wanted); }
 
     /// The box of the pixels that the last draw_event may have changed. The dispatcher brings only
-    /// these to the screen. The box may reach beyond the picture.
+    /// this box to the screen. The box may reach beyond the picture.
     virtual l3d_pixel_box changed() const {
         constexpr auto most = std::numeric_limits<std::int32_t>::max();
         return {0, 0, most, most};
@@ -106,8 +106,8 @@ public:
     /// no event came, the dispatcher neither draws nor shows.
     virtual bool needs_redraw() const { return true; }
 
-    /// One line that the user should read once, such as that fewer threads draw than wanted; "" if
-    /// there is none. The dispatcher asks after each frame.
+    /// A remark of one line that the user should read once, such as that fewer threads draw than
+    /// wanted. It is "" if there is no remark. The dispatcher asks after each frame.
     virtual std::string take_remark() { return {}; }
 };
 
@@ -146,11 +146,11 @@ struct L3D_PUBLIC l3d_caption {
     /// All keys: the program's own keys, F11, the help keys, and the keys that end the program.
     std::vector<l3d_caption_row> all_keys() const;
 
-    /// The text of --help: the sentences, and a list of all keys below them.
+    /// The text of --help: `what` and `teaches`, and a list of all keys below.
     std::string text() const;
 };
 
-/// Turns seconds into whole steps, so that a world that moves step by step is equally fast at any
+/// Turns seconds into whole steps. So a world that moves step by step moves equally fast at any
 /// frame rate. For example, with 60 steps a second and 30 frames a second, two steps are due per
 /// frame. With 300 frames a second, one step is due in every fifth frame.
 class L3D_PUBLIC l3d_ticker {
@@ -158,8 +158,8 @@ public:
     /// Makes a ticker of `per_second` steps a second. Expects: per_second > 0.
     explicit l3d_ticker(double per_second = 60) : per_second_(per_second) {}
 
-    /// The number of whole steps that are due `seconds` after the last call. A rest of less than a
-    /// step is kept for the next call.
+    /// The number of whole steps that are due `seconds` after the last call. The fraction of a step
+    /// that remains is kept for the next call.
     ///
     /// The result is at most the number of steps in one second. So a program that was stopped for
     /// hours does not make the steps of these hours.
@@ -176,7 +176,8 @@ public:
 
 private:
     double per_second_;
-    /// Steps, or parts of one, not yet handed out; less than 0 by the slack at most.
+    /// The number of steps that have passed but were not returned yet, with a fraction. It is at
+    /// least -slack, since due() rounds up by as much.
     double steps_ = 0;
 };
 

@@ -12,8 +12,8 @@
 /// A pipeline that draws on a screen with a 2D rasterizer. The keys q and Escape end the program.
 /// Pictures take the screen's new size when it changes.
 ///
-/// A subclass overrides `draw`, and the calls of l3d_pipeline that it answers. If it has keys of
-/// its own, it passes all others to l3d_pipeline_2d::key_event.
+/// A subclass overrides `draw`, and the calls of l3d_pipeline that it answers. If the subclass has
+/// keys of its own, it passes all other keys to l3d_pipeline_2d::key_event.
 /// Lives: owns screen and rasterizer.
 class L3D_PUBLIC l3d_pipeline_2d : public l3d_pipeline {
 public:

@@ -26,16 +26,17 @@
 
 namespace {
 
-/// The factor by which curved models' normals are more exact with the map of errors: two levels of
-/// models finer. The map tells folds only as exactly as normals are known, and otherwise doubts
-/// whole tiles. One level suffices for spheres and tori, two for a hull with cusps
-/// (docs/NUMERICS.md, section 25).
+/// The factor by which frames with the map of errors ask for more exact normals of curved models.
+/// It makes these models two levels finer. The map tells folds only as exactly as normals are
+/// known, and otherwise doubts whole tiles. One level finer suffices for spheres and tori, two for
+/// a hull with cusps (docs/NUMERICS.md, section 25).
 constexpr double finer_for_map = 8;
 
-/// The part of the tolerance that the approximation of curved models may take if they have trims.
-/// The number of corners of the polygons that stand for trims falls with its square root. Dicing
-/// gets the rest of the tolerance (docs/NUMERICS.md, section 27). With the map of errors, curved
-/// models keep the usual part, since the map tells little beside borders that are off so far.
+/// The part of the tolerance that the approximation of curved models may take if the models have
+/// trims. Trims are drawn as polygons, whose number of corners falls with the square root of this
+/// part. Dicing gets the rest of the tolerance (docs/NUMERICS.md, section 27). In frames with the
+/// map of errors, curved models keep the usual part. With the larger part, the map would tell
+/// little near the borders of trims.
 constexpr double trimmed_share = 0.25;
 
 using l3d_detail::stopwatch;
@@ -63,9 +64,9 @@ std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& r
     return rasterizers.create_2d(screen.pixels());
 }
 
-/// Bounds the bends of all patches, so that the first frame does not take longer than others. A
-/// curved model has too many parts for this: there, each frame bounds the parts that it is the
-/// first to draw.
+/// Bounds the bends of all patches, so that the first frame does not take longer than later frames.
+/// A curved model has too many parts for this. For such a model, each frame bounds the parts that
+/// are drawn for the first time.
 void bound_bends(const l3d_patch_scene& scene, l3d_workers& workers) {
     std::set<const void*> bounded;
     for (const l3d_patch_instance& instance : scene.instances()) {
@@ -247,9 +248,9 @@ l3d_pipeline_afd::basis l3d_pipeline_afd::begin_frame() {
 }
 
 /// The parts of the picture to draw; none if the picture is right as it is. If only instances were
-/// moved, there are two reasons to draw the whole picture all the same. Earlier drawing on top,
-/// whose place is unknown, may have to go. Or the parts have three quarters of the pixels, and so
-/// cost nearly as much as all (docs/SPEED.md).
+/// moved, there are two reasons to draw the whole picture all the same. Things that were drawn on
+/// top, at unknown places, may have to go. Or the parts have three quarters of the pixels, and so
+/// cost nearly as much as all pixels (docs/SPEED.md).
 l3d_pixel_boxes l3d_pipeline_afd::parts_to_draw(const basis& now) {
     const l3d_pixel_boxes whole(l3d_whole(now.target.size()));
     if (settings_.keep.drawing || is_foreign_ || scene_.is_rebuilt() || now != stages_->drawn)
@@ -290,7 +291,7 @@ l3d_pixel_boxes l3d_pipeline_afd::parts_that_moved(std::int64_t most, int reach)
     return reached;
 }
 
-/// Keeps the last picture, and its bounds in the report: nothing is drawn.
+/// Keeps the last picture, and the picture's bounds in the report, since nothing needs to be drawn.
 void l3d_pipeline_afd::keep_picture() {
     l3d_dice_counts counts;
     counts.unchanged = scene_.patch_count();

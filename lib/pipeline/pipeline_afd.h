@@ -36,7 +36,7 @@ struct L3D_PUBLIC l3d_kept_work : l3d_culling_switches {
     bool unit_normals = false;
     bool drawing = false; ///< whether a frame is drawn again, even if nothing changed
 
-    /// Switches for all of this work, as if no rule could skip any.
+    /// All switches on, as if no rule could skip any work.
     static constexpr l3d_kept_work all() { return {l3d_culling_switches::all(), true, true}; }
 };
 
@@ -59,7 +59,7 @@ struct L3D_PUBLIC l3d_afd_settings {
     l3d_inspection inspection{};
 
     /// The function whose values l3d_shade::own shows. Only the library's own method draws this
-    /// shade. If the same function gives other values than before, call redraw().
+    /// shade. If the function starts to give other values, call redraw().
     l3d_own_shade own{};
 
     /// Whether viewers draw the scale of an inspecting shade into the picture.
@@ -68,8 +68,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// The direction towards the light. Units: world space, any length.
     l3d_vector<double, 3> light = l3d_usual_light;
 
-    /// The colours of lights, and further lights. With other lights than the usual one, or with
-    /// highlights, the report's bound of shades holds for each colour channel, and is larger.
+    /// The colours of lights, and further lights. With highlights, or with lights other than the
+    /// usual light, the report's bound of shades holds for each colour channel, and is larger.
     /// error_map() bounds each pixel more closely.
     l3d_lighting lighting{};
 
@@ -82,8 +82,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool antialias = true;
 
     /// The fog that far surfaces fade into. Only the library's own method draws fog, for shades of
-    /// light and normals. The certified bound of shades then includes the effect of errors of depth
-    /// on the fog (NUMERICS, section 23).
+    /// light and normals. In fog, the certified bound of shades is larger, since an error of depth
+    /// changes the amount of fog (NUMERICS, section 23).
     l3d_fog fog{};
 
     /// The way to look up the colours of pictures that lie on patches (l3d_patch_scene::lay). Only
@@ -104,18 +104,19 @@ struct L3D_PUBLIC l3d_afd_settings {
     /// Whether the control nets are drawn on top of the surface.
     bool net = false;
 
-    /// Whether edges are drawn as black lines, where no surface hides them. Edges are the curves at
-    /// which trimmed faces end. In a model without such curves, edges are the borders of trims, and
-    /// the sides of patches that are open or creased.
+    /// Whether edges are drawn as black lines, where no surface hides these edges. Edges are the
+    /// curves at which trimmed faces end. If the model stores no such curves, edges are the borders
+    /// of trims, and the sides of patches that are open or creased.
     bool edges = false;
 
     /// Work that frames do although they could skip it; for benchmarks.
     l3d_kept_work keep{};
 
     /// Whether surfaces show only their front, the side that dS/du x dS/dv points to. A patch is
-    /// left out if all of it turns its back to the eye. If only some of the patch's sixteen blocks
-    /// do so altogether, these blocks are left out. A back in the same block as a front is drawn.
-    /// The front depends on the model, not on its placement: a mirrored model shows the same side.
+    /// left out if all of it turns its back to the eye. Otherwise, each of the patch's sixteen
+    /// blocks is left out if all of the block turns its back to the eye. A block that shows both a
+    /// front and a back is drawn whole. The front depends on the model, not on its placement: a
+    /// mirrored model shows the same side.
     bool one_sided = false;
 
     /// Whether the depth of each pixel is kept, for depth() and distances().
@@ -125,8 +126,8 @@ struct L3D_PUBLIC l3d_afd_settings {
     bool count_pixels = false;
 
     /// The budget of a frame for patches that have to be cut or clipped (l3d_dice_budget). 0 stands
-    /// for l3d_usual_samples. If the budget does not suffice, the other patches are drawn coarsely,
-    /// and the certified bound includes their error.
+    /// for l3d_usual_samples. If the budget does not suffice, some of these patches are drawn
+    /// coarsely. The certified bound includes the error of such patches.
     std::int64_t most_samples = 0;
 
     /// Whether the pixels that an outline may cross are kept, for outlines(), and counted in the
@@ -179,15 +180,15 @@ public:
 
     /// The screen that shows the pictures.
     /// Expects: nobody writes to the screen's pixels. To draw on top, use pixels() or rasterizer()
-    ///          in draw_overlay: these note that the picture is changed, so that the next frame
-    ///          clears it.
+    ///          in draw_overlay. These functions note that the picture is changed, so that the next
+    ///          frame clears the picture.
     l3d_screen& screen() { return *screen_; }
     /// The canvas's letters, for text in draw_overlay.
     const l3d_font& font() const { return font_; }
 
-    /// The scene that is drawn, for the program to change. The next draw_event draws the scene,
-    /// camera and settings as they are then. A program with a dispatcher calls redraw() after a
-    /// change of camera or settings. Only the pipeline calls the scene's forget_changes().
+    /// The scene that is drawn, for the program to change. The next draw_event draws with scene,
+    /// camera and settings as they are at that time. A program with a dispatcher calls redraw()
+    /// after a change of camera or settings. Only the pipeline calls the scene's forget_changes().
     l3d_patch_scene& scene() { return scene_; }
     /// Curves in space that are drawn as lines over the finished surfaces, and over the curves of
     /// the scene's models. The program may change these curves, and then calls redraw().
@@ -218,8 +219,8 @@ public:
     /// l3d_without_area. It is "" if the picture may show something.
     std::string why_empty() const;
 
-    /// The inspection that the next frame shows: that of the settings. If the settings leave its
-    /// scale open, the result has a scale that suits the scene. The colours are
+    /// The inspection that the next frame shows, as the settings ask for it. If the settings leave
+    /// the scale open, the result has a scale that suits the scene. The result's colours are
     /// l3d_inspection_colors.
     /// Cost: after a change of scene or shade, the search for an open scale of curvature takes some
     ///       7 us a patch, but at most 30 ms.
@@ -276,7 +277,7 @@ public:
 
 protected:
     /// The rasterizer by which draw_overlay draws points, lines and polygons on the picture. After
-    /// this call, the next frame that differs is drawn whole.
+    /// this call, the next frame with changes is drawn whole, not only in the parts that changed.
     l3d_rasterizer_2d& rasterizer() {
         touch();
         return rasterizer_;
@@ -291,7 +292,7 @@ protected:
     double bound() const { return report_.dice.bound_px; }
 
     /// The picture, for draw_overlay and paint_surfaces to write into. After this call, the next
-    /// frame that differs is drawn whole.
+    /// frame with changes is drawn whole, not only in the parts that changed.
     l3d_pixels pixels() {
         touch();
         return screen_->pixels();
@@ -362,8 +363,8 @@ private:
     bool is_drawing_ = false;
     l3d_pixel_box changed_;
     l3d_frame_report report_;
-    /// The shade for which a scale of curvature was last found, and the scale's end. None until one
-    /// is needed.
+    /// The shade for which a scale of curvature was last found, and the scale's end. It is empty
+    /// until such a scale is needed.
     std::optional<std::pair<l3d_shade, double>> usual_curvature_;
     std::unique_ptr<stages> stages_;
 };

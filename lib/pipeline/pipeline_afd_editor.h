@@ -33,9 +33,9 @@ struct L3D_PUBLIC l3d_handle_view {
 /// weights change by the same factor.
 ///
 /// A drag with the left button moves a handle in the plane through it that is parallel to the
-/// picture. A drag with the right button moves the handle along the view axis: a drag upwards moves
-/// it away from the eye. The wheel over a handle changes its weight. undo() takes any such change
-/// back.
+/// picture. A drag with the right button moves the handle along the view axis: upwards in the
+/// picture moves it away from the eye. The wheel over a handle changes the handle's weight. undo()
+/// takes each of these changes back.
 /// Lives: a value.
 class L3D_PUBLIC l3d_control_handles {
 public:
@@ -56,7 +56,8 @@ public:
     /// The weight of a handle's first control point. Expects: handle < count().
     double weight(std::size_t handle) const;
     /// The name of a handle for the user: surface, row and column of its first control point,
-    /// counted from 1. The surface is left out if there is only one. Expects: handle < count().
+    /// counted from 1. The name leaves out the surface if there is only one surface. Expects:
+    /// handle < count().
     std::string name(std::size_t handle) const;
 
     /// Finds the handle nearest to (x, y) of the picture. Among handles that are about equally
@@ -92,7 +93,7 @@ public:
     /// returns false if there is no change to take back.
     bool undo();
 
-    /// The effect of an event on handles: it tells which things have to be drawn again.
+    /// The effect of an event on handles. It tells which things must be drawn again.
     enum class effect {
         none,    ///< the event means nothing to handles
         seen,    ///< only the handles must be drawn again; the surfaces are the same
@@ -103,7 +104,7 @@ public:
     effect pointer(const l3d_event& event, const l3d_handle_view& view);
 
     /// Draws nets and handles. `depth` holds the depths of the surfaces in the picture: lines and
-    /// handles behind these surfaces are pale. If it is null, none are pale.
+    /// handles behind these surfaces are pale. If `depth` is null, nothing is pale.
     void draw(l3d_rasterizer_2d& rasterizer, const l3d_handle_view& view,
               const l3d_depth_buffer* depth) const;
 
@@ -111,7 +112,7 @@ private:
     struct member {
         std::size_t surface, point;
     };
-    /// A handle's place and weights before a change, for undo.
+    /// A handle's place and weights before a change, for undo().
     struct state {
         std::size_t handle;
         vector place;
@@ -131,10 +132,12 @@ private:
     effect drag(const l3d_event& motion, const l3d_handle_view& view);
 
     std::vector<l3d_nurbs_surface> surfaces_;
-    std::vector<std::vector<member>> members_;             ///< the control points of each handle
-    std::vector<std::pair<std::size_t, std::size_t>> net_; ///< handles that lines join, each once
+    std::vector<std::vector<member>> members_; ///< the control points of each handle
+    /// Pairs of handles that lines of nets join, each pair once.
+    std::vector<std::pair<std::size_t, std::size_t>> net_;
     std::optional<std::size_t> marked_;
-    std::optional<grab> grab_; ///< how the pointer holds the marked handle; none if it drags none
+    /// How the pointer holds the marked handle; empty unless the user drags it.
+    std::optional<grab> grab_;
     std::vector<state> undo_;
     /// The handle that is being changed, and the kind of change. Further steps of this change add
     /// no state to undo.
@@ -145,10 +148,12 @@ private:
 /// Keys show the handles, undo changes, and save. A panel tells the error bound, times, and the
 /// handle under the pointer.
 ///
-/// Expects: the scene is one opaque instance, placed without a transform. For any other number of
-///          instances, or a transparent one, the key for handles says why it shows none.
+/// Expects: the scene is one opaque instance, placed without a transform. For another number of
+///          instances, or a transparent instance, the key for handles shows a reason instead of
+///          handles.
 /// Cost:    after a change the whole model is made again before the next frame. This takes some 10
-///          us a bicubic patch, and more for other pieces. The panel tells the time.
+///          us for a bicubic patch, and more for a piece that is not bicubic. The panel tells the
+///          time.
 class L3D_PUBLIC l3d_pipeline_afd_editor : public l3d_pipeline_afd_viewer {
 public:
     /// Makes a viewer that shows no handles yet. Errors: as l3d_pipeline_afd.
@@ -168,8 +173,8 @@ public:
     /// The handles; null until edit(), or the key that shows handles, makes them.
     const l3d_control_handles* handles() const { return handles_ ? &*handles_ : nullptr; }
 
-    /// Sets the function that the key S calls with the surfaces; without one the key does nothing.
-    /// The function returns a line to show, such as the file's name.
+    /// Sets the function that the key S calls with the surfaces; without a function the key does
+    /// nothing. The function returns a line to show, such as the file's name.
     void set_saver(std::function<std::string(std::span<const l3d_nurbs_surface>)> save) {
         save_ = std::move(save);
     }

@@ -84,7 +84,7 @@ void l3d_pipeline_afd_viewer::take_next_shade() {
                        : ""));
 }
 
-/// Takes the next inspecting shade; after the last one, it takes the shade of light.
+/// Takes the next inspecting shade. After the last inspecting shade, it takes the shade of light.
 void l3d_pipeline_afd_viewer::take_next_inspection() {
     if (!settings().method.is_default())
         return controls_.say("no exact derivatives of " + settings().method.name());
@@ -241,7 +241,7 @@ l3d_part_list& l3d_part_switch::list() {
     return list_;
 }
 
-/// A model in the colours of the list, without the parts that the list hides.
+/// The model `whole` in the colours of the list, without the parts that the list hides.
 l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
     l3d_patch_model result = whole;
     std::vector<std::size_t> hidden;
@@ -258,8 +258,8 @@ l3d_patch_model l3d_part_switch::as_listed(const l3d_patch_model& whole) const {
 }
 
 /// Places the models as the list says. If nothing would be left, undoes the list's last change and
-/// returns false. Placing a model drops its instance's material and opacity, so these are set
-/// again.
+/// returns false. Placing a model drops the material and opacity of its instance, so this function
+/// sets both again.
 bool l3d_part_switch::apply() {
     list();
     std::vector<l3d_patch_model> models;

@@ -32,15 +32,16 @@ public:
     /// Makes the scene show the parts as the list says. If no part would be left to see, it takes
     /// the list's last change back instead.
     /// Returns: false if the change was taken back.
-    /// Cost:    bounds of the patches that stay are computed again: some microseconds for each.
+    /// Cost:    bounds of the patches that stay are computed again. This takes some microseconds a
+    ///          patch.
     bool apply();
 
     /// Chooses the next part: the first part at the first call, and again after the last part.
     /// Returns: a line that names the part.
     std::string choose_next() { return list().choose_next(); }
 
-    /// Hides the chosen part, or shows it again. If no part is chosen, it chooses the first one
-    /// before.
+    /// Hides the chosen part, or shows it again. If no part is chosen, the list first chooses its
+    /// first part.
     /// Returns: a line that tells the part's new state.
     /// Cost:    as apply().
     std::string switch_chosen();
@@ -68,7 +69,7 @@ private:
 };
 
 /// A viewer of patches: l3d_pipeline_afd with keys and mouse to turn, zoom and inspect the scene.
-/// Its help lists them.
+/// The viewer's help lists the keys.
 class L3D_PUBLIC l3d_pipeline_afd_viewer : public l3d_pipeline_afd {
 public:
     using l3d_pipeline_afd::l3d_pipeline_afd;
@@ -84,15 +85,15 @@ public:
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
     void draw_event() override;
-    /// Whether the controls are at rest: time alone changes nothing else. A subclass that overrides
-    /// update_event overrides this, too.
+    /// Whether the controls are at rest. Nothing else in the viewer changes with time. A subclass
+    /// that overrides update_event overrides this function, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
     double rest_left() const override { return controls_.rest_left(); }
     void rest_event(double seconds) override;
 
 protected:
-    /// The title of the scale of colours in mode `error`. A subclass whose scale shows other errors
-    /// than bounds overrides this function.
+    /// The title of the scale of colours in mode `error`. A subclass whose scale shows errors that
+    /// are no bounds overrides this function.
     virtual std::string error_scale_title() const { return "bound of the error, in pixels"; }
 
     /// A panel that a subclass shows in every picture. The viewer's own panels do not cover it.

@@ -23,7 +23,7 @@ struct left_out {
     std::int64_t count;
 };
 
-/// A JSON object with the count of each reason, by the reason's name.
+/// A JSON object that has, under the name of each reason, the number of things left out for it.
 json counts_json(std::span<const left_out> reasons);
 
 /// The first entries of a report's line of JSON: frame, method, renderer, number type, vectors,

@@ -32,10 +32,11 @@ struct L3D_PUBLIC l3d_method_frame {
     std::span<const l3d_material> materials;
     const l3d_camera& camera;           ///< the camera that sees the scene
     const l3d_matrix<double>& to_image; ///< map from world to image, for the library's own method
-    const l3d_dice_view& view;  ///< for the library's own method; others use camera.image_matrix
+    /// View for the library's own dicing; other methods use camera.image_matrix.
+    const l3d_dice_view& view;
     const l3d_shading& shading; ///< lights, and the way to shade
     l3d_pixels target;          ///< the picture to draw into
-    l3d_depth_buffer& depth;    ///< 1 / distance for each pixel of the target, to be written
+    l3d_depth_buffer& depth;    ///< gets 1 / distance for each pixel of the target
     bool wants_depth;           ///< whether depth is wanted; if not, `depth` may stay as it is
     bool untouched;             ///< whether nobody wrote to the target since the last frame's end
     bool counts_pixels;         ///< whether the number of covered pixels is wanted
@@ -55,8 +56,8 @@ struct L3D_PUBLIC l3d_method_frame {
     bool is_part() const { return part != l3d_whole(target.size()); }
 };
 
-/// A way to draw the surfaces of whole frames and to bound the error. Programs compare methods by
-/// it.
+/// A way to draw the surfaces of whole frames and to bound the error. Programs can exchange one
+/// such method for another, to compare methods.
 ///
 /// The picture that a method draws depends on the l3d_method_frame alone, not on earlier frames or
 /// on threads. `counts().bound_px` is the certified bound of the drawn surfaces' error in the
@@ -72,9 +73,9 @@ public:
     /// library itself fills them.
     std::string renderer() const { return do_renderer(); }
 
-    /// Whether counts() have a bound of the error of depth.
+    /// Whether counts() has a bound for the error of depth.
     bool certifies_depth() const { return do_certifies_depth(); }
-    /// Whether counts() have a bound of the error of shade levels, in frames with this shading.
+    /// Whether counts() has a bound for the error of shades, in frames with this shading.
     bool certifies_shade(const l3d_shading& shading) const { return do_certifies_shade(shading); }
 
     /// Whether the method can draw a part of a picture without the rest (l3d_method_frame::part).
@@ -86,7 +87,7 @@ public:
 
     /// The counts of patches and the error bounds of the last frame.
     const l3d_dice_counts& counts() const { return do_counts(); }
-    /// The counts of the work of filling the last frame, with the number of covered pixels.
+    /// Counts of the work while the last frame was filled, with the number of covered pixels.
     const l3d_surface_counts& surface_counts() const { return do_surface_counts(); }
 
     /// The pixels of the last frame that an outline may cross, so that it is not certain which
@@ -96,7 +97,7 @@ public:
 
 protected:
     /// The value for l3d_surface_counts::covered, counted in `depth`, the depths of all surfaces of
-    /// the frame. It is none_counted if the frame does not ask for it.
+    /// the frame. The result is none_counted if the frame does not ask for this number.
     static std::int64_t covered_of(const l3d_method_frame& frame, const l3d_depth_buffer& depth) {
         return frame.counts_pixels ? l3d_covered(depth) : l3d_surface_counts::none_counted;
     }
@@ -136,7 +137,7 @@ public:
     /// Makes a factory whose methods `create` makes. `name` is the methods' name in reports and
     /// messages. `has_bound` says that the methods' counts bound the error, as mode `error` needs.
     /// `draws_parallel` says that the methods draw parallel projections, with depths as in
-    /// l3d_shading. Other methods get no frames in parallel projection.
+    /// l3d_shading. If it is false, the methods get no frames in parallel projection.
     l3d_method_factory(std::string name, create_call create, bool has_bound = false,
                        bool draws_parallel = false);
 

@@ -18,8 +18,8 @@ constexpr double drag_turn = 1; // degrees for a pixel
 constexpr double notch_zoom = 1.1;
 /// The factor of zoom for a drag by a pixel: a drag by 70 pixels doubles the distance.
 constexpr double pixel_zoom = 1.01;
-/// The sine of the angle to the pole to which leave_pole() moves the eye: just larger than 0.02, at
-/// which l3d_camera::orbit stops.
+/// The sine of the eye's angle from the pole after leave_pole(). It is just larger than 0.02, the
+/// sine at which l3d_camera::orbit stops.
 constexpr double sine_beside_pole = 0.021;
 
 /// The ratio of the picture's height to its smaller side.
@@ -116,8 +116,8 @@ void l3d_view_steering::look_from_opposite() {
         camera_.orbit(180, 0);
 }
 
-/// Moves the eye a little off the pole above or below the target, since there turning has no
-/// direction up. The picture's direction up stays the same.
+/// Moves the eye a little off the pole above or below the target, since turning has no direction up
+/// at a pole. The picture's direction up stays the same.
 void l3d_view_steering::leave_pole() {
     if (!sees_along_up())
         return;

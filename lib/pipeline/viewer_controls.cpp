@@ -207,8 +207,8 @@ bool l3d_viewer_controls::pointer(const l3d_event& event) {
 
 namespace {
 
-/// The angle between two places' normals in words. Errors of the normals of length e change the
-/// angle by at most 2 asin(e / 2); rounding adds to this.
+/// The angle between two places' normals in words. An error of length e in a unit normal changes
+/// the angle by at most 2 asin(e / 2). Rounding adds to this.
 std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
     const double sine = l3d_length(l3d_cross(a.normal, b.normal));
     const double cosine = l3d_dot(a.normal, b.normal);
@@ -223,8 +223,8 @@ std::string angle_text(const l3d_pointed_place& a, const l3d_pointed_place& b) {
 
 } // namespace
 
-/// Measures at a place in the picture, at a click with Ctrl. The first click of two tells the
-/// place, and the second click the distance from there.
+/// Measures at a place in the picture, at a click with Ctrl. The first of two clicks tells its
+/// place, and the second click tells the distance from this place.
 void l3d_viewer_controls::measure(double x, double y) {
     if (!viewed_.place_at)
         return;
@@ -316,8 +316,8 @@ void l3d_viewer_controls::draw_marks(l3d_rasterizer_2d& rasterizer) const {
     rasterizer.draw_path(l3d_stroked(path, {.width = 2 * unit}), {.color = style.key});
 }
 
-/// Places and draws the panels. The message gets its place first. The help gets its place next if
-/// it would find too little room after the other panels.
+/// Places and draws the panels. The message gets its place first. The help gets its place next, if
+/// too little room would be left after all other panels.
 void l3d_viewer_controls::draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
                                const l3d_panel& legend, const l3d_standing_panel& standing) const {
     draw_marks(rasterizer);
@@ -357,8 +357,8 @@ namespace {
 
 constexpr std::chrono::seconds span{1};
 
-/// The number of pictures that count for the means: those that began before the last one, or 1 for
-/// a single picture.
+/// The number of pictures that count for the means. These are the pictures that began before
+/// `begin`, the last beginning of a picture. A single picture counts in any case.
 template <class Pictures>
 std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point begin) {
     return done.size() - (done.size() > 1 && done.back().begin == begin ? 1 : 0);
@@ -366,8 +366,8 @@ std::size_t counted(const Pictures& done, l3d_picture_pace::clock::time_point be
 
 } // namespace
 
-/// Notes the beginning of a picture, and drops pictures of more than a second ago. The last one is
-/// kept in any case, since it tells how long drawing takes.
+/// Notes the beginning of a picture, and drops pictures of more than a second ago. The last picture
+/// is kept in any case, since it tells how long drawing takes.
 void l3d_picture_pace::begin() {
     begin_ = now_();
     follows_ = !done_.empty() && begin_ - done_.back().end <= span;

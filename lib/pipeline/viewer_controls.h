@@ -31,7 +31,7 @@ struct L3D_PUBLIC l3d_pointed_place {
     std::string text; ///< a line of text about the surface at `place`, for the user
     /// The unit normal of the surface at `place`, turned to the eye; zero if there is no normal.
     l3d_camera::vector normal{0.0, 0.0, 0.0};
-    /// The largest length of the difference of `normal` from the exact one.
+    /// The largest length of the difference of `normal` from the exact normal.
     double normal_error = 0;
 };
 
@@ -40,13 +40,14 @@ struct L3D_PUBLIC l3d_pointed_place {
 struct L3D_PUBLIC l3d_viewed {
     /// Makes the camera that shows the whole model, with the direction of view of the given camera.
     std::function<l3d_camera(const l3d_camera&)> framed{};
-    /// Finds the place that is seen at a position, in pixels from the picture's left upper corner;
-    /// nothing if no surface is there.
+    /// Finds the place that is seen at a position. Positions are in pixels from the picture's left
+    /// upper corner. The result is nothing if no surface is there.
     std::function<std::optional<l3d_pointed_place>(double x, double y)> place_at{};
 };
 
 /// Moves a viewer's camera by keys and mouse. The camera turns about its target, and is dragged and
-/// zoomed by the place under the pointer. It can show a model from its sides, and show all of it.
+/// zoomed by the place under the pointer. It can show the model from each of its sides, or show the
+/// whole model.
 ///
 /// Lives: borrows screen and camera.
 class L3D_PUBLIC l3d_view_steering {
@@ -62,7 +63,8 @@ public:
     /// reset, and at each change of the picture's size until the camera is moved.
     void set_home(std::function<l3d_camera()> home);
 
-    /// Returns to the first view: the camera of set_home, or else the one at construction.
+    /// Returns to the first view. It is the camera of set_home() or, without set_home(), the camera
+    /// at construction.
     void go_home();
     /// Moves the camera, without turning it, so that the picture shows the whole model.
     void frame_all();
@@ -92,7 +94,7 @@ public:
     /// The three numbers are the direction's coordinates along the axes of l3d_upright: (0, 0, 1)
     /// looks from the front. Expects: not all 0.
     void look_from(double right, double up, double front);
-    /// Switches between perspective and parallel projection. Returns true if the new one is
+    /// Switches between perspective and parallel projection. Returns true if the new projection is
     /// parallel.
     bool switch_projection();
     /// Moves the eye to the opposite side of the target.
@@ -102,9 +104,9 @@ public:
     /// picture, which the eye turns about. Returns false if no surface is at (x, y).
     bool turn_about(double x, double y);
 
-    /// The position in the picture of a place in the world, in the coordinates of rasterizers:
-    /// whole numbers are the middles of pixels. In perspective, the result is nothing if the place
-    /// is nearer than the near plane.
+    /// The position in the picture at which a place in the world is seen. Coordinates are those of
+    /// rasterizers, in which whole numbers are the middles of pixels. In perspective, the result is
+    /// nothing if the place is nearer than the near plane.
     std::optional<l3d_point_2d> position(const vector& place) const;
 
     /// Turns, moves or zooms when a button goes down, the pointer moves or the wheel turns. Returns
@@ -118,7 +120,8 @@ private:
     bool go_on(const l3d_event& motion);
     void approach(double factor, const vector& place);
     void move(double x, double y);
-    /// The place under the pointer: on the surface there, or else at the target's depth.
+    /// The place in the world under the pointer. It lies on the surface that is seen there or,
+    /// without a surface, at the target's depth.
     vector place_under(double x, double y) const;
     double depth_of(const vector& place) const;
     void leave_pole();
@@ -129,11 +132,12 @@ private:
     l3d_viewed viewed_;
     std::function<l3d_camera()> home_;
     l3d_camera first_; ///< the camera at construction: the first view if there is no home_
-    /// The camera that go_home or frame_all set; camera_ differs once it was moved.
+    /// The camera that go_home or frame_all set. Once the user has moved the view, camera_ differs
+    /// from it.
     l3d_camera kept_;
     bool is_home_ = false, is_framed_ = false; ///< whether go_home or frame_all set kept_
     vector upright_; ///< the model's direction up, even if the view is rolled or from above
-    vector up_;      ///< the axis for turn(): upright_, or another one after roll()
+    vector up_;      ///< the axis for turn(): upright_, or the picture's direction up after roll()
     double turn_speed_ = 1;
     l3d_size size_;
     drag drag_ = drag::none;
@@ -166,8 +170,8 @@ public:
     /// Pictures per second, counted from the first picture of the last second to the last begin().
     /// It is 0 at rest.
     double per_second() const;
-    /// Time and rate as text for the user. At rest it is the time alone, and "" before the first
-    /// end().
+    /// Time and rate as text for the user. At rest, the text tells the time alone. Before the first
+    /// end(), it is "".
     std::string text() const;
 
 private:
@@ -187,7 +191,8 @@ struct L3D_PUBLIC l3d_viewer_row {
     const char* keys; ///< the names of the keys in the help
     const char* text; ///< the keys' effect, for the help
 
-    /// Each key, an ASCII code or l3d_key, with its action. Empty if other code acts on the keys.
+    /// The row's keys, each an ASCII code or l3d_key, with their actions. The list is empty if
+    /// other code acts on the keys.
     std::vector<std::pair<int, std::function<void()>>> actions{};
 };
 
@@ -206,9 +211,10 @@ struct L3D_PUBLIC l3d_standing_panel {
 /// Lives: borrows pipeline, screen and camera.
 class L3D_PUBLIC l3d_viewer_controls {
 public:
-    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. At the key r,
-    /// `reset` undoes what the viewer's own keys changed, other than the camera; it may be empty.
-    /// `viewed` answers questions about the picture. `font` has the letters of all panels.
+    /// Makes the controls of a viewer. `rows` are the viewer's own rows of help. The key r calls
+    /// `reset`, unless it is empty, to undo all changes by the viewer's own keys except those of
+    /// the camera. `viewed` answers questions about the picture. `font` has the letters of all
+    /// panels.
     /// Expects: no key has actions in two rows; the rows of this class count, too.
     l3d_viewer_controls(l3d_pipeline& viewer, l3d_screen& screen, l3d_camera& camera,
                         std::vector<l3d_viewer_row> rows, std::function<void()> reset = {},
@@ -294,14 +300,14 @@ public:
     /// The style of the panels, with letters of a size that suits the window and its display.
     l3d_panel_style panel_style() const;
 
-    /// Shows a hint, for some seconds or until the first key: that h lists all keys.
+    /// Shows the hint that the key h lists all keys, for some seconds or until the first key.
     void show_hint(double seconds) { hint_seconds_ = seconds; }
 
     /// Shows a line of text until the next key. Expects: the call comes from a key's action.
     void say(std::string line) { message_ = std::move(line); }
 
-    /// Switches the headlight on or off, and tells the user by say(): the action of the key l in
-    /// viewers of surfaces. `is_on` is the viewer's setting.
+    /// Switches the headlight on or off, and tells the user by say(). This is the action of the key
+    /// l in viewers of surfaces. `is_on` is the viewer's setting.
     void switch_headlight(bool& is_on);
 
     /// Switches between perspective and parallel projection, and tells the user by say().
@@ -312,7 +318,7 @@ public:
 
     /// Tells the user why the picture is empty. `reason` is a text of l3d_why_unseen, or "" if the
     /// picture is not empty. The text names `key`, which moves the model back into view; 0 stands
-    /// for no such key.
+    /// for no key.
     void set_empty(const std::string& reason, char key = 'f') {
         empty_line_ = reason.empty() ? "" : "The model is " + reason;
         if (!reason.empty())
@@ -332,7 +338,7 @@ public:
     void draw(l3d_rasterizer_2d& rasterizer, std::span<const std::string> lines,
               const l3d_panel& legend = {}, const l3d_standing_panel& standing = {}) const;
 
-    /// The pace of the viewer's pictures. The viewer calls its begin() and end().
+    /// The pace of the viewer's pictures. The viewer calls the pace's begin() and end().
     l3d_picture_pace& pace() { return pace_; }
     /// The pace of the viewer's pictures, read-only.
     const l3d_picture_pace& pace() const { return pace_; }
@@ -352,7 +358,7 @@ private:
 
     l3d_screen& screen_;
     l3d_font font_;
-    /// Seconds for which the hint still shows; not positive if it does not show.
+    /// Seconds for which the hint still shows. It is not positive if no hint shows.
     double hint_seconds_ = 0;
     l3d_viewed viewed_;
     l3d_view_steering steering_;

@@ -14,7 +14,7 @@
 namespace l3d_detail {
 
 /// Draws diced surfaces as lines: the sides of all quads, and of the triangles that clipping
-/// leaves. Neighbouring quads and triangles share the line between them.
+/// leaves. Neighbouring quads and triangles share the line at their common side.
 class wire_lines {
 public:
     explicit wire_lines(wire_picture& picture) : picture_(picture) {}

@@ -66,8 +66,8 @@ inline constexpr std::uint32_t net_color = 0x00ff9030;
 /// Draws lines of one colour, either sharp or smooth.
 class wire_drawer {
 public:
-    /// Units: `width` in pixels. It is l3d_screen::text_scale: 1 on usual displays, more on finer
-    ///        ones.
+    /// Units: `width` of lines in pixels. It is l3d_screen::text_scale: 1 on usual displays, more
+    ///        on finer ones.
     wire_drawer(l3d_rasterizer_2d& rasterizer, std::uint32_t color, bool smooth, double width)
         : rasterizer_(rasterizer), color_(color), smooth_(smooth), width_(width) {}
 
@@ -158,8 +158,8 @@ public:
 private:
     static constexpr std::uint32_t whole_cover = 255;
 
-    /// Notes the depths of the pixels along a line, for the fog. For a wide line, it notes them
-    /// over the line's width and up to its corners.
+    /// Notes the depths of the pixels along a line, for the fog. For a wide line, it notes depths
+    /// over the line's width and up to the line's corners.
     void note_depths(const wire& w) {
         const double change = double{w.to_inv_w} - double{w.from_inv_w};
         visit_side({w.x0, w.y0, w.from_inv_w, {}}, {w.x1, w.y1, w.to_inv_w, {}}, picture_.size(),

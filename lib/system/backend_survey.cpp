@@ -12,7 +12,7 @@
 
 namespace {
 
-/// The least width of the column of names in lists of back-ends. A space follows the column.
+/// Lists of back-ends have a column of names of at least this width. A space follows the column.
 constexpr int name_column = 7;
 
 std::string without_blanks_around(const std::string& text) {

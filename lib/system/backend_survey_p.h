@@ -15,7 +15,7 @@
 namespace l3d_detail {
 
 /// Finds which back-ends (the rows of a table) can serve here, and chooses one. It asks each row at
-/// most once. If a display did not answer one row, the next rows do not try that display, since a
+/// most once. If a display did not answer one row, further rows do not try this display, since a
 /// silent display costs seconds.
 ///
 /// Lives:   borrows the rows.
@@ -28,8 +28,8 @@ public:
     /// why it cannot. Variants get lines only if `with_variants` is true.
     void list(std::ostream& out, bool with_variants);
 
-    /// Writes a line for each thing that the rows depend on, such as the display, with advice if it
-    /// does not work. Then follow the lines of list(), without variants.
+    /// Writes a line for each thing that the rows depend on, such as the display. If the thing does
+    /// not work, the line has advice. The lines of list(), without variants, follow.
     void diagnose(std::ostream& out);
 
     /// Finds the row of this name, and makes sure that it can serve. `named_by` is the option or
@@ -40,8 +40,8 @@ public:
     const l3d_backend& named(const std::string& name, const std::string& named_by);
 
     /// Chooses a row without a question: the first automatic row that serves fully, else the first
-    /// automatic row that serves. If DISPLAY is set and the display cannot be opened, it throws: a
-    /// user who set DISPLAY wants a window.
+    /// automatic row that serves. If DISPLAY is set and the display cannot be opened, it throws,
+    /// since a user who set DISPLAY wants a window.
     ///
     /// Errors:  l3d_error: no_display or display_lost for a display that cannot be opened;
     ///          otherwise no_backend, with all rows' reasons.

@@ -33,8 +33,8 @@ namespace {
 
 /// Whether the pipeline gets a press of a key as a key_event. A key with Alt or Super held, or a
 /// letter with Ctrl held, counts as another key, which has no key_event. For digits and keys that
-/// are no character, any_event tells whether Ctrl is held. Modifiers alone have no key_event, and
-/// neither have keys that only type.
+/// are no character, any_event tells whether Ctrl is held. The keys Shift, Ctrl and Alt themselves
+/// have no key_event, and neither have presses that only type text.
 bool is_plain(const l3d_event& press) {
     if (press.key == 0 || press.key == l3d_key_shift || press.key == l3d_key_control ||
         press.key == l3d_key_alt)

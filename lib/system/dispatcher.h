@@ -19,9 +19,9 @@
 /// The event loop of a program: turns outside events into calls of the pipeline. The program plugs
 /// in its pipeline and its screen, and starts the loop.
 ///
-/// Lives:   borrows pipeline and screen. The dispatcher is made before them (step 3 of 5), so it is
-///          destroyed after them. A signal that ended the loop is raised again then, when
-///          everything is closed.
+/// Lives:   borrows pipeline and screen. The dispatcher is made before both (step 3 of 5), and so
+///          is destroyed after both. If a signal ended the loop, the dispatcher's destructor raises
+///          the signal again, when everything is closed.
 class L3D_PUBLIC l3d_dispatcher {
 public:
     l3d_dispatcher() = default;
@@ -78,8 +78,8 @@ private:
     virtual std::unique_ptr<l3d_dispatcher> do_create(const l3d_frame_settings& settings) const = 0;
 };
 
-/// A dispatcher for back-ends that may or may not open a window: it makes the dispatcher for
-/// windows if its screen is one, else the one without a display.
+/// A dispatcher for back-ends that open a window only where there is a display. If its screen is a
+/// window, it works as the dispatcher for windows, else as l3d_dispatcher_script without a script.
 class L3D_PUBLIC l3d_dispatcher_fitting final : public l3d_dispatcher {
 public:
     /// Errors:  as the constructor of l3d_frame_writer.
@@ -89,7 +89,7 @@ private:
     l3d_exit do_start(l3d_pipeline& pipeline, l3d_screen& screen) override;
 
     l3d_frame_settings settings_;
-    /// The dispatcher that is used, kept until the screen is closed.
+    /// The dispatcher that does the work, kept until the screen is closed.
     std::unique_ptr<l3d_dispatcher> fitting_;
 };
 
@@ -107,8 +107,8 @@ struct L3D_PUBLIC l3d_script_event {
 };
 
 /// A dispatcher without a window, which replays a script of events. It makes frames as fast as it
-/// can, each a fixed step of time after the one before. If the settings give no number of frames,
-/// it makes one. The same script gives the same pictures every time.
+/// can. In the pipeline's world, a fixed step of time lies between two frames. If the settings give
+/// no number of frames, it makes one frame. The same script gives the same pictures every time.
 class L3D_PUBLIC l3d_dispatcher_script final : public l3d_dispatcher {
 public:
     /// Takes a script of events to replay.

@@ -14,7 +14,7 @@ namespace {
 
 using std::chrono::steady_clock;
 
-/// The longest sleep while nothing moves. Signals and events end it earlier.
+/// The longest sleep while nothing moves. Signals and events end a sleep earlier.
 constexpr std::chrono::hours longest_rest{24};
 
 double seconds_between(steady_clock::time_point from, steady_clock::time_point to) {
@@ -113,7 +113,7 @@ void l3d_dispatcher_window::loop::handle_events() {
 }
 
 /// Whether no picture need be made until the next event. If frames are counted or written, each
-/// turn of the loop makes one.
+/// turn of the loop makes a picture.
 bool l3d_dispatcher_window::loop::rests() const {
     if (settings_.frames != 0 || !settings_.output.empty() || settings_.fixed_step)
         return false;
@@ -121,8 +121,8 @@ bool l3d_dispatcher_window::loop::rests() const {
 }
 
 /// Sleeps until the next picture is due, or until an event. If no picture is due, update_event does
-/// not get the time of the sleep. While the window is hidden, this time does not count; otherwise
-/// rest() tells the pipeline how long it was.
+/// not get the time of the sleep. For a hidden window, the time of the sleep does not count.
+/// Otherwise rest() tells the pipeline how long the sleep was.
 void l3d_dispatcher_window::loop::sleep(steady_clock::time_point now) {
     if (!rests())
         return screen_.wait(pacer_.due() - now, signals_.waker());

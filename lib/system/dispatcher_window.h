@@ -9,8 +9,8 @@
 
 #include <optional>
 
-/// The event loop of programs with a window. It handles all pending events, makes a frame when one
-/// is due, and sleeps in between. A frame is drawn and shown only if the pipeline needs a new
+/// The event loop of programs with a window. It handles all pending events, makes a frame when a
+/// frame is due, and sleeps in between. A frame is drawn and shown only if the pipeline needs a new
 /// picture or the window has a new size. A hidden window gets no frames, unless frames are counted
 /// or written. A window that was uncovered shows its last picture again. If the window fills the
 /// display, Escape gives the window its old place and size; only a second Escape reaches the
@@ -27,7 +27,7 @@ private:
 
     l3d_frame_settings settings_;
     l3d_frame_writer writer_;
-    /// The watch of signals, kept until the screen is closed.
+    /// Watches for signals while the loop runs. It is kept until the screen is closed.
     std::optional<l3d_signal_watch> signals_;
 };
 

@@ -16,26 +16,27 @@
 
 class l3d_options;
 
-/// A back-end, a way to show pictures: one row of the table of l3d_factory_manager.
+/// A back-end: a way to show pictures. Back-ends are the rows of the table of l3d_factory_manager.
 struct L3D_PUBLIC l3d_backend {
     std::string name;    ///< the back-end's name, as --backend takes it
     std::string purpose; ///< the back-end's use, in a few words
-    /// Whether it is taken without a question if it is the first that can serve.
+    /// Whether the back-end is chosen without a question if it is the first row that can serve.
     bool automatic = false;
-    bool on_display = false;   ///< whether it needs a display
+    bool on_display = false;   ///< whether the back-end needs a display
     bool unseen = false;       ///< whether nobody sees its pictures unless --output names a file
     bool writes_files = false; ///< whether it writes its pictures to files itself
-    /// Whether the row is a variant of another row, as mesa:egl is of mesa. The list of
-    /// --list-backends has such a row; the prompt does not.
+    /// Whether this row is a variant of another row, as mesa:egl is a variant of mesa.
+    /// --list-backends lists variants; the prompt does not.
     bool variant = false;
     std::unique_ptr<l3d_screen_factory> screen_factory; ///< makes the back-end's screens
-    /// Makes its rasterizers; canvases share the factory.
+    /// Makes the back-end's rasterizers; canvases share the factory.
     std::shared_ptr<const l3d_rasterizer_factory> rasterizer_factory;
     std::unique_ptr<l3d_dispatcher_factory>
         dispatcher_factory; ///< Makes the event loops of programs on this back-end.
 };
 
-/// Knows every back-end in a table, asks each whether it can serve here, and chooses one.
+/// Knows all back-ends, as the rows of a table. It asks each back-end whether it can serve here,
+/// and chooses one of them.
 ///
 /// No other place in the library names concrete kinds of back-ends. The manager is no global
 /// object: each program has one in main.
@@ -53,10 +54,10 @@ public:
     void add(l3d_backend row);
 
     /// Chooses the back-end that --backend names, else the variable L3D_BACKEND, else the program
-    /// itself. If none of these names one, it asks the user at a terminal. Without a terminal it
-    /// takes the first automatic row that can serve. If nobody would see the pictures, stderr gets
-    /// a line that says so. In this case --output becomes `program`.png, unless the user named a
-    /// back-end that shows nothing.
+    /// itself. If none of these names a back-end, choose() asks the user at a terminal. Without a
+    /// terminal it takes the first automatic row that can serve. If nobody would see the pictures,
+    /// stderr gets a line that says so. In this case --output becomes `program`.png, unless the
+    /// user named a back-end that shows nothing.
     ///
     /// Returns: false if the program has nothing more to do: --list-backends or --diagnose was
     ///          answered, or the user answered q at the prompt.
@@ -78,9 +79,9 @@ public:
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
     /// Makes a window for a notice that is shown before choose(), such as on a long reading. The
-    /// window is that of the first automatic back-end that can open one.
-    /// Errors:  null if the options or the environment name a back-end without a window, or if no
-    ///          window opens.
+    /// first automatic back-end that can open a window makes it.
+    /// Errors:  null if the options or the environment name a back-end that has no windows, or if
+    ///          no window opens.
     std::unique_ptr<l3d_screen> create_notice(const l3d_options& options,
                                               const l3d_screen_request& request) const;
 

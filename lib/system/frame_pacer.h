@@ -21,8 +21,8 @@ public:
     clock::time_point due() const { return due_; }
 
     /// Notes that a frame was done at `now`. Without a limit of the rate, the next frame is due at
-    /// once. But if this frame drew nothing (`idle`), the next one is due in 1/60 s, since waiting
-    /// must not take a whole processor.
+    /// once. But if this frame drew nothing (`idle`), the next frame is due in 1/60 s, since
+    /// waiting must not take a whole processor.
     void frame_done(clock::time_point now, bool idle) {
         if (period_ == clock::duration::zero()) {
             due_ = idle ? now + seconds(1.0 / 60) : now;

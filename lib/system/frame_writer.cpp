@@ -47,8 +47,8 @@ std::string_view field_at_front(std::string_view text) {
                                                                          : std::string_view();
 }
 
-/// Lets `write` make a new file: l3d-0001 with this ending, or the first further number for which
-/// no file exists. Returns a line for the user.
+/// Lets `write` make a new file: l3d-0001 with this ending, or the next number for which no file
+/// exists. Returns a line for the user.
 std::string save_as_new(const std::string& ending,
                         const std::function<void(const std::string& name)>& write) {
     std::error_code unknown; // on an error, the user is told the name alone
@@ -123,8 +123,8 @@ std::string l3d_frame_writer::file_name(int number) const {
     return before_ + digits + after_;
 }
 
-/// Whether some frame is written to `file`: whether its name is that of a frame, with a number in
-/// place of the number field.
+/// Whether some frame is written to `file`. A name without a number field is the name of the only
+/// file. Otherwise, a frame's file has a number in place of the number field.
 bool l3d_frame_writer::has_frame_in(const std::string& file) const {
     if (kind_ == kind::single)
         return l3d_detail::mean_one_file(before_, file);

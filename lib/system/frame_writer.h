@@ -16,18 +16,18 @@
 #include <string>
 #include <string_view>
 
-/// Writes the frames of a program to files. The name of --output says which frames.
+/// Writes the frames of a program to files. The name of --output says which frames are written.
 /// - "" writes nothing.
 /// - name.png or name.ppm gets the last frame.
 /// - name%04d.png gives every frame a file, numbered from 0 (also %d, %5d, %05d).
 /// - "-" gives every frame, as a stream of PPM pictures on the standard output.
 ///
-/// Any other percent sign is a part of the name, and %% stands for one.
+/// Any other percent sign is a part of the name, and %% stands for one percent sign.
 class L3D_PUBLIC l3d_frame_writer {
 public:
-    /// Takes the name, and opens no file yet.
-    /// Errors:  l3d_error: usage for a name of none of these kinds, or if `alpha` is transparency
-    ///          and the name does not end in .png; failure for a missing folder.
+    /// Takes the name of --output, and opens no file yet.
+    /// Errors:  l3d_error: usage for a name that is none of the kinds above, or if `alpha` is
+    ///          transparency and the name does not end in .png; failure for a missing folder.
     explicit l3d_frame_writer(const std::string& name, l3d_alpha alpha = l3d_alpha::none);
 
     /// Takes a finished frame, and writes it if the name asks for every frame.
@@ -62,7 +62,8 @@ private:
 
     l3d_alpha alpha_ = l3d_alpha::none;
     kind kind_ = kind::nothing;
-    /// The name before and after its number; a name without a number is `before_`.
+    /// The parts of the name before and after the frame's number. A name without a number is all in
+    /// `before_`.
     std::string before_, after_;
     std::size_t digits_ = 0; ///< least number of digits of the number
     char fill_ = ' ';
@@ -73,7 +74,7 @@ private:
 class L3D_PUBLIC l3d_report_writer {
 public:
     /// Opens the file of this name, and empties it. If the name is -, lines go to the standard
-    /// output, where other output may stand before and between them.
+    /// output, where other output may stand before the lines and between them.
     /// Errors: l3d_error(failure) that names the file and the system's reason.
     explicit l3d_report_writer(const std::string& path);
     l3d_report_writer(const l3d_report_writer&) = delete;
@@ -90,18 +91,18 @@ private:
     std::ostream* out_; ///< the stream for lines: file_ or the standard output
 };
 
-/// The settings with which a dispatcher is made: which frames to make, when, and where to write
-/// them.
+/// The settings with which a dispatcher is made. They tell which frames to make, when to make
+/// frames, and where to write pictures.
 struct L3D_PUBLIC l3d_frame_settings {
     /// The number of frames. 0 means one frame without a display; with a window, frames go on until
     /// the pipeline is done.
     int frames = 0;
 
-    /// The first frame whose picture is wanted. For frames before it, only the time passes.
+    /// The first frame whose picture is wanted. During earlier frames, only time passes.
     /// Expects: less than `frames`, or 0.
     int first_frame = 0;
 
-    /// Whether frames whose file exists already are left out, too (l3d_frame_writer::has_frame).
+    /// Whether a frame is also left out if its file exists already (l3d_frame_writer::has_frame).
     bool resume = false;
 
     /// Frames per second. 0 stands for as many as possible; nothing for the screen's choice.
@@ -125,13 +126,15 @@ struct L3D_PUBLIC l3d_frame_settings {
     double step() const { return 1 / (fps && *fps > 0 ? *fps : 60); }
 };
 
-/// Writes a picture to a new file in the current folder: l3d-0001.png, or the first further number
-/// that is free. It never replaces a file. Returns a line for the user that says where the file is.
-/// If writing fails, the line says why, and nothing is thrown: a full disk must not end a program.
+/// Writes a picture to a new file in the current folder: l3d-0001.png, or the next number for which
+/// no file exists. It never replaces a file. Returns a line for the user that says where the file
+/// is. If writing fails, the line says why, and nothing is thrown: a full disk must not end a
+/// program.
 L3D_PUBLIC std::string l3d_save_screenshot(const l3d_pixels& pixels);
 
-/// Writes surfaces to a new file in the current folder: l3d-0001.obj, or the first further number
-/// that is free (l3d_write_obj_surfaces). Returns a line for the user, as l3d_save_screenshot does.
+/// Writes surfaces to a new file in the current folder: l3d-0001.obj, or the next number for which
+/// no file exists (l3d_write_obj_surfaces). Returns a line for the user, as l3d_save_screenshot
+/// does.
 L3D_PUBLIC std::string l3d_save_surfaces(std::span<const l3d_nurbs_surface> surfaces);
 
 #endif

@@ -14,8 +14,9 @@
 namespace l3d_detail {
 
 /// A small window that shows the name of the file that is being read, and the share that is done.
-/// It opens after half a second, and only if the program will show a window and its messages do not
-/// go to a terminal. At a terminal, long_work and stop_key do this work.
+/// The window opens after half a second of reading. It opens only if the program will show a
+/// window, and if the program's messages do not go to a terminal. At a terminal, long_work shows
+/// the share, and stop_key stops reading.
 ///
 /// Lives: borrows the factories and the options.
 class load_window {
@@ -40,7 +41,8 @@ private:
     const l3d_options& options_;
     clock::time_point begin_ = clock::now();
     bool is_tried_ = false, is_stopped_ = false;
-    std::string shown_; ///< the time and share that the window shows; empty if it must be drawn
+    /// The time and share that the window shows; empty if the window must be drawn again.
+    std::string shown_;
     std::unique_ptr<l3d_screen> screen_;
     l3d_font font_;
 };

@@ -24,8 +24,8 @@ namespace l3d_detail {
 /// then "reading a.obj, 1 s" and so on over the same line. At the end it erases the line. For work
 /// of less than half a second it writes nothing.
 ///
-/// The work itself calls nothing: a thread of this object's own counts the seconds. If the system
-/// gives no thread, nothing is written.
+/// The work itself need not call this object, since a thread of the object counts the seconds. If
+/// the system gives no thread, nothing is written.
 /// Lives:   borrows the stream. Nobody else may write to the stream meanwhile.
 class long_work {
 public:
@@ -49,8 +49,8 @@ public:
     long_work& operator=(const long_work&) = delete;
     ~long_work() = default; // ends the thread
 
-    /// Sets the share of the work that is done, from 0 to 1. Lines tell it as a percentage from now
-    /// on.
+    /// Sets the share of the work that is done, from 0 to 1. From now on, lines tell the share as a
+    /// percentage.
     void set_share(double share) { share_ = share; }
 
 private:
@@ -84,8 +84,8 @@ private:
     std::jthread teller_;
 };
 
-/// Tells on the standard error what is being done to a file: `doing`, such as "reading", and the
-/// file's name. It tells this as long as the result lives.
+/// Tells on the standard error of work on a file, as long as the result lives. `doing` names the
+/// work, such as "reading".
 inline long_work tell_work(const std::string& doing, const std::string& file) {
     return {std::cerr, isatty(STDERR_FILENO) != 0, doing + ' ' + printable(file)};
 }

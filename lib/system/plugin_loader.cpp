@@ -43,7 +43,7 @@ constexpr std::uint32_t most_transforms = 16;
 
 // ---- what the host does ------------------------------------------------------------------------
 
-/// The number that bounds the absolute values of all numbers of type T, up to rounding.
+/// The largest absolute value of a number of type T, up to rounding.
 template <class T> constexpr double end_of() {
     if constexpr (std::floating_point<T>)
         return std::numeric_limits<T>::max();
@@ -52,7 +52,7 @@ template <class T> constexpr double end_of() {
 }
 
 /// Whether a plug-in's double fits l3d_real. A number that does not fit would wrap round or be
-/// infinite. It is false for NaN.
+/// infinite. The result is false for NaN.
 bool is_in_range(double value) {
     return std::abs(value) < end_of<l3d_real>();
 }
@@ -167,8 +167,8 @@ const l3d_plugin_host host{sizeof(l3d_plugin_host),
 
 // ---- the library -------------------------------------------------------------------------------
 
-/// Owns an open shared library. A library that several objects open stays until the last one closes
-/// it.
+/// Owns an open shared library. A library that several objects have opened stays until the last
+/// object closes it.
 class library {
 public:
     explicit library(const std::string& file)
@@ -192,8 +192,8 @@ private:
     void* handle_;
 };
 
-/// The reason why a library is no usable plug-in; empty if it is one. If the library did not open,
-/// the reason has the system's own words after the file's name.
+/// The reason why a library cannot be used as a plug-in; empty if it can. If the library did not
+/// open, the reason has the system's own words after the file's name.
 std::string fault_of(const library& opened, const std::string& file) {
     if (!opened.is_open()) {
         const std::string words = dlerror();

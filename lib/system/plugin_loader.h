@@ -17,21 +17,21 @@
 /// object_plugin.h. This interface is in C, has a version, and does not depend on how l3d itself
 /// was built.
 ///
-/// Lives:   the objects do not need the loader. Each object holds its plug-in's library, which is
-///          closed with the last such object.
+/// Lives:   the objects do not need the loader. Each object holds its plug-in's library open. The
+///          library is closed with the last object that holds it.
 class L3D_PUBLIC l3d_plugin_loader {
 public:
-    /// Makes a loader. `program` begins its lines on stderr. `seed` starts the random numbers for
-    /// plug-ins. Plug-ins look for relative names of files in `folder`.
+    /// Makes a loader. Its lines on stderr begin with `program`. `seed` starts the random numbers
+    /// for plug-ins. Plug-ins look for relative names of files in `folder`.
     l3d_plugin_loader(std::string program, std::uint64_t seed, std::string folder = ".")
         : program_(std::move(program)), folder_(std::move(folder)), random_(seed) {}
 
     /// Makes an object, which the plug-in in `file` sets up by these parameters.
     ///
-    /// Errors: null, and `why` gets "file: reason". The file may be missing, may be no shared
-    ///         library, or may have no symbol l3d_plugin. The symbol's structure may be of another
-    ///         version, be too short, or lack a function. The plug-in may refuse, with its own
-    ///         reason. Later faults of the plug-in give one line on stderr, once.
+    /// Errors: null, and `why` gets "file: reason". Reasons are a file that is missing, is no
+    ///         shared library, or has no symbol l3d_plugin. The structure l3d_plugin may also have
+    ///         another version, be too short, or lack a function. The plug-in may also refuse, with
+    ///         a reason of its own. Later faults of the plug-in give one line on stderr, once.
     std::unique_ptr<l3d_object> load(const std::string& file, const std::string& parameters,
                                      std::string& why);
 
@@ -41,7 +41,7 @@ private:
 };
 
 /// The folder of plug-ins: ../lib/l3d, seen from the program's own folder, if this folder exists.
-/// So programs that were built or installed with l3d find their plug-ins wherever they are moved
+/// So programs that were built or installed with l3d still find their plug-ins if all are moved
 /// together. Otherwise the result is lib/l3d in the prefix that l3d was built for.
 L3D_PUBLIC std::string l3d_plugin_folder();
 

@@ -37,15 +37,15 @@ inline bool present(l3d_pipeline& pipeline, l3d_screen& screen, l3d_frame_writer
     return drawn;
 }
 
-/// Whether frame number `frame`, the next one for the writer, needs no picture: it comes before the
-/// first wanted frame, or its file exists and the settings say resume.
+/// Whether frame number `frame`, the writer's next frame, needs no picture. This is so before the
+/// first wanted frame, and for a frame whose file exists if the settings say resume.
 inline bool only_passes(int frame, const l3d_frame_settings& settings,
                         const l3d_frame_writer& writer, l3d_size size) {
     return frame < settings.first_frame || (settings.resume && writer.has_frame(size));
 }
 
-/// Lets a frame pass whose picture is not wanted. Returns whether the screen's pixels are stale
-/// afterwards, since the frame was not drawn.
+/// Lets a frame pass whose picture is not wanted, without drawing it if the pipeline allows that.
+/// Returns whether the screen's pixels are stale afterwards.
 inline bool skip(l3d_pipeline& pipeline, l3d_frame_writer& writer, bool stale) {
     writer.skip_frame();
     if (pipeline.skip_event())

@@ -17,7 +17,7 @@
 #include <utility>
 
 /// The common part of every main function: reads the command line, chooses a back-end, and reports
-/// errors. So main itself shows only the five steps.
+/// errors. So main itself consists only of the five steps.
 ///
 ///     int main(int argc, char** argv) {
 ///         l3d_program program("drawdot", "A dot leaves a trail.", {320, 200});
@@ -47,12 +47,12 @@ public:
     l3d_factory_manager& factories() { return factories_; }
 
     /// Sets a function that is called once the command line has been read, for work without a
-    /// screen, such as a report. `goes_on` returns whether the other steps are to be done, too.
+    /// screen, such as a report. `goes_on` returns whether the program goes on with a screen.
     void after_command_line(std::function<bool()> goes_on) { goes_on_ = std::move(goes_on); }
 
-    /// Reads the command line, chooses a back-end, and calls `steps`, which does the other steps.
-    /// Returns main's exit code. `steps` is not called if there is nothing to show, as after
-    /// --help.
+    /// Reads the command line and chooses a back-end (step 1). Then it calls `steps`, which does
+    /// the remaining steps. Returns main's exit code. `steps` is not called if there is nothing to
+    /// show, as after --help.
     ///
     /// Errors:  none: an exception becomes a line on stderr and an exit code.
     int run(int argc, const char* const* argv, const std::function<l3d_exit()>& steps);
@@ -77,14 +77,14 @@ public:
     std::unique_ptr<l3d_dispatcher> create_dispatcher() const;
 
     /// Makes a screen, and the rasterizers that draw into it. `shows` names the thing that the
-    /// window shows, such as a model, in UTF-8. The window's title begins with this name, unless it
-    /// is the program's.
+    /// window shows, such as a model, in UTF-8. The window's title begins with this name, unless
+    /// the name is the program's own.
     /// Expects: called by the steps.
     /// Errors:  as l3d_factory_manager::create_screen.
     l3d_canvas create_canvas(const std::string& shows = {}) const;
 
-    /// Refuses pictures without a background where nobody can make them: windows do not show them,
-    /// and the GL back-end does not draw them.
+    /// Refuses pictures without a background where they cannot be made. Windows do not show such
+    /// pictures, and the GL back-end does not draw them.
     ///
     /// Errors: l3d_error(usage) that names the option and the obstacle.
     /// Expects: called by the steps.
@@ -109,8 +109,8 @@ private:
 
 /// Shows a finished picture until the user closes its window or presses q or Escape. The picture
 /// fills as much of the window as its shape allows. The variable L3D_BACKEND names the back-end;
-/// without it, the first automatic one that can serve is taken. If nobody would see the picture, it
-/// is written to `name`.png, and a line on stderr says so.
+/// without this variable, the first automatic back-end that can serve is taken. If nobody would see
+/// the picture, it is written to `name`.png, and a line on stderr says so.
 ///
 /// Shape:   `name` is the window's title, and the name of the file without its ending.
 /// Returns: the exit code that main should return.

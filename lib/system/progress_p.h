@@ -9,9 +9,9 @@
 
 namespace l3d_detail {
 
-/// Shows at a terminal how far a long run without a window is. It writes "program: frame 120 of
-/// 5000" over the same line once a second, and erases the line at the end. For a run of less than a
-/// second it writes nothing.
+/// Shows at a terminal how many frames of a long run without a window are done. It writes "program:
+/// frame 120 of 5000" over the same line once a second, and erases the line at the end. For a run
+/// of less than a second it writes nothing.
 ///
 /// Lives:   borrows the stream.
 class progress {

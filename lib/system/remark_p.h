@@ -12,8 +12,8 @@
 
 namespace l3d_detail {
 
-/// Prints the remarks of the pipeline and of the screen on stderr, if they have any. Each remark is
-/// one line, "program: remark".
+/// Prints new remarks of the pipeline and of the screen on stderr. Each remark is one line,
+/// "program: remark".
 inline void pass_on_remarks(l3d_pipeline& pipeline, l3d_screen& screen, std::string_view program) {
     for (const std::string& remark : {pipeline.take_remark(), screen.take_remark()})
         if (!remark.empty())

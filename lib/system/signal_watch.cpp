@@ -15,12 +15,12 @@
 
 namespace {
 
-/// The watched signals: those of the keys Ctrl+C and Ctrl+\, of a request to end, and of a terminal
-/// that is closed.
+/// The watched signals. They come from the keys Ctrl+C and Ctrl+\, from a request to end, and from
+/// a terminal that is closed.
 constexpr std::array watched{SIGINT, SIGQUIT, SIGTERM, SIGHUP};
 
-/// The signal that came last, or 0; and the writing end of a pipe that wakes a loop. They are
-/// global atomic variables, since a signal handler may only touch such variables.
+/// `noted` is the signal that came last, or 0. `bell` is the writing end of a pipe that wakes a
+/// loop. They are global atomic variables, since a signal handler may only touch such variables.
 std::atomic<int> noted = 0, bell = -1;
 static_assert(std::atomic<int>::is_always_lock_free);
 
@@ -51,8 +51,8 @@ private:
 
 } // namespace
 
-/// Waits for a signal, and then five seconds for the end of the watch. If the watch does not end in
-/// this time, raises the signal again, which ends the process.
+/// Waits for a signal, and then five seconds for the end of the watch. If the watch lasts longer,
+/// this function raises the signal again, which ends the process.
 void l3d_signal_watch::end_what_takes_too_long() const {
     constexpr int patience = 5000; // milliseconds: a large picture is written in two seconds
     std::array<pollfd, 2> news{pollfd{waker_, POLLIN, 0}, pollfd{over_, POLLIN, 0}};

@@ -10,14 +10,15 @@
 /// Lets the signals SIGINT, SIGQUIT, SIGTERM and SIGHUP end a loop in good order. While a watch
 /// lives, the first signal of each kind is only noted. A second signal of the same kind acts as
 /// without a watch, for a program that hangs. When the watch is destroyed, it restores the signals'
-/// old actions and raises the noted signal. So the parent process sees a death by this signal. A
-/// signal that was ignored (as by nohup) stays ignored.
+/// old actions and raises the noted signal. So the parent process sees that this signal ended the
+/// program. A signal that was ignored (as by nohup) stays ignored.
 ///
-/// After a signal, the program has five seconds to end in good order. Then the signal acts as a
-/// second one would, whatever the program does. Unfinished files do no harm, since files have no
-/// names before they are complete.
+/// After a signal, the program has five seconds to end in good order. Afterwards the signal acts as
+/// a second signal would, whatever the program does. Unfinished files do no harm, since files have
+/// no names before they are complete.
 ///
-/// Signal handlers belong to the whole process: they are the library's only state of this kind.
+/// Signal handlers belong to the whole process: they are the library's only state that belongs to
+/// the process.
 /// Expects: at most one watch at a time.
 class l3d_signal_watch {
 public:

@@ -19,7 +19,7 @@ namespace l3d_detail {
 ///
 /// The object does nothing if the standard input is no terminal, or if another program is in the
 /// terminal's foreground.
-/// Expects: no other l3d_signal_watch. Keys other than Escape are lost.
+/// Expects: no l3d_signal_watch lives meanwhile. Keys other than Escape are lost.
 class stop_key {
 public:
     stop_key() {
@@ -37,8 +37,8 @@ public:
             tcsetattr(STDIN_FILENO, TCSANOW, &before_);
     }
 
-    /// Whether Escape was pressed, or a signal asks for the end. Some other keys begin with the
-    /// byte of Escape, but further bytes follow it.
+    /// Whether Escape was pressed, or a signal asks for the end. Some other keys send the byte of
+    /// Escape first, but send further bytes after it.
     bool is_pressed() {
         std::array<char, 16> keys{};
         const ssize_t got = is_taken_ ? read(STDIN_FILENO, keys.data(), keys.size()) : 0;

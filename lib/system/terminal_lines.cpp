@@ -16,7 +16,8 @@
 namespace l3d_detail {
 
 /// Makes a terminal hand over each key and show none. The destructor restores the terminal's mode.
-/// This happens also after a signal, since the watch keeps the signal back and raises it last.
+/// The mode is restored also after a signal, since the signal watch keeps the signal back and
+/// raises it last.
 struct terminal_lines::keys {
     explicit keys(int terminal) : terminal_(terminal) {
         tcgetattr(terminal, &before);
@@ -38,7 +39,7 @@ struct terminal_lines::keys {
         return poll(files.data(), files.size(), time) != 0;
     }
 
-    /// The next key; nothing at the end of input and after a signal.
+    /// The next key; nothing if the input has ended or a signal came.
     std::optional<unsigned char> next() const {
         unsigned char key = 0;
         if (come_within(-1) && !watch_.caught() && read(terminal_, &key, 1) == 1)

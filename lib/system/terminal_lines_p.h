@@ -11,7 +11,7 @@ namespace l3d_detail {
 
 /// The lines that a user types at a terminal, for a std::istream, with a countdown in case nobody
 /// is there. By default a terminal hands over whole lines, and hides whether somebody types. So
-/// keys are read one by one here, and the user can erase them as usual.
+/// this class reads keys one by one. The user can erase typed keys as usual.
 ///
 /// Until the first key, a countdown stands at the end of the program's question. When the countdown
 /// is over, the input ends. The first key stops the countdown for good.

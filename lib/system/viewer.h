@@ -67,7 +67,8 @@ public:
             polygons_ += report.surface.quads;
     }
 
-    /// Adds a line to the report, if --report asked for one.
+    /// Adds the frame's line to the file of --report, if there is one. It also tells once who
+    /// draws, if the user asked for OpenGL.
     void frame_event(const l3d_frame_times& times) override {
         Pipeline::frame_event(times);
         if (!wants_gl_ && !reports_)
@@ -79,9 +80,9 @@ public:
             reports_->add(report.json());
     }
 
-    /// Writes what the options ask for at the end: the last frame's distances, bounds of pixels and
-    /// skipped work, the run's times, and the thing at the place of --pick. It also tells why a
-    /// picture is empty. Call it once the dispatcher has ended.
+    /// Writes all that the options ask for at the end. These are the last frame's distances, error
+    /// bounds of pixels and skipped work, the run's times, and the thing at the place of --pick. It
+    /// also tells why the picture is empty. Call it once the dispatcher has ended.
     /// Errors:  l3d_error(failure) that names the file and the system's reason.
     void finish() const {
         if constexpr (requires { this->depth(); })
@@ -107,9 +108,9 @@ public:
     }
 
 private:
-    /// Shows a hint about the help to a user at a window. If frames are counted or written, there
-    /// is none, so that windows and files have the same pictures. It also checks --pick and the
-    /// background for this screen.
+    /// Shows a hint about the help to a user at a window. If frames are counted or written, it
+    /// shows no hint, so that windows and files have the same pictures. It also checks --pick and
+    /// the background for this screen.
     void suit_onlooker(l3d_program& program) {
         const l3d_frame_settings frames = program.options().frame_settings();
         in_window_ = this->screen().is_window();
@@ -125,7 +126,7 @@ private:
     }
 
     /// Tells the user on stderr if the library itself draws although OpenGL was chosen. `gl` is the
-    /// renderer of the report, which is empty then.
+    /// report's name of the OpenGL renderer, which is empty if the library itself draws.
     void tell_who_draws(const std::string& gl) {
         if (gl.empty())
             std::cerr << command_
@@ -134,8 +135,8 @@ private:
         wants_gl_ = false; // it has been told
     }
 
-    /// The view as command-line options. They are also printed, so that the user can copy them from
-    /// a terminal.
+    /// The view as command-line options. These options are also printed on stderr, so that the user
+    /// can copy them from a terminal.
     std::string told_view() {
         std::string text = asked_.view_options(this->camera());
         if constexpr (requires { this->settings().rotation; })
@@ -144,7 +145,8 @@ private:
         return text;
     }
 
-    /// Writes values, one for each pixel, as a PFM file; the name - stands for the standard output.
+    /// Writes a PFM file with one value for each pixel. The file's name - stands for the standard
+    /// output.
     static void write(const std::string& file, l3d_size size, std::span<const float> values) {
         if (file == "-")
             l3d_write_pfm(stdout, "standard output", size.width, size.height, values);
@@ -152,7 +154,7 @@ private:
             l3d_write_pfm(file, size.width, size.height, values);
     }
 
-    /// Tells how to undo the option that made the picture empty. The text is empty for a model that
+    /// The advice how to undo the option that made the picture empty. It is empty for a model that
     /// is too small or has no area, since no option helps then.
     std::string way_to_mend(const std::string& reason) const {
         if (reason == l3d_without_area || reason == l3d_too_small)

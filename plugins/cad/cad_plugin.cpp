@@ -57,8 +57,8 @@ private:
     int file_;
 };
 
-/// Memory that parent and child process share: the share of the work that is done, and a text for a
-/// fault.
+/// Memory that parent and child process use together. It holds the share of the work that is done,
+/// and a text about a fault.
 class shared_state {
 public:
     shared_state()

@@ -89,8 +89,8 @@ std::string name_of(const TDF_Label& label) {
 }
 
 /// The path of a part: the names from the top of the assembly down to the part, separated by
-/// slashes. If the file has only one part or assembly at the top, its name is left out, unless it
-/// is the part's own.
+/// slashes. If the file has only one part or assembly at the top, the path leaves out the name at
+/// the top, unless it is the part's own name.
 std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     std::string path;
     const int depth = at.CurrentDepth();
@@ -106,7 +106,8 @@ std::string path_of(const XCAFPrs_DocumentExplorer& at, bool has_one_root) {
     return path.empty() ? "part" : path;
 }
 
-/// Whether a placement only turns and moves, so that it keeps lengths and the side that is outside.
+/// Whether a placement only turns and moves. Such a placement keeps lengths, and the outside of a
+/// body stays outside.
 bool is_rigid(const TopLoc_Location& place) {
     constexpr double rounding = 1e-12;
     const gp_Trsf by = place.Transformation();
@@ -198,7 +199,7 @@ private:
         return whole_.size() - 1;
     }
 
-    /// Whether a part has a colour of its own, other than its shape's.
+    /// Whether a part has a colour of its own, beside the colour of its shape.
     static bool has_color(const XCAFPrs_DocumentNode& node) {
         TDF_Label color;
         return node.Label != node.RefLabel &&
@@ -211,8 +212,8 @@ private:
         to_.number(one.opacity);
     }
 
-    /// Sets the look of the faces and curves that follow. Without a look, they have the look of the
-    /// part that places their shape.
+    /// Sets the look of the faces and curves that are written next. Without a look, they get the
+    /// look of the part that places their shape.
     void use(const std::optional<look>& now) {
         if (look_ == now)
             return;
@@ -227,14 +228,14 @@ private:
     face_writer faces_;
     std::map<std::string, int> names_;
     std::optional<look> look_;
-    /// Number of each shape that was written.
+    /// The number of each written shape, by its label.
     NCollection_DataMap<TDF_Label, std::uint64_t, TDF_LabelMapHasher> numbers_;
-    std::vector<std::optional<look>> whole_; ///< look of each shape as a whole
+    std::vector<std::optional<look>> whole_; ///< for each shape, the look that it has as a whole
 };
 
-/// The shares of the work that are done after each stage, in large files: reading the text, making
-/// entities of the text, and making shapes of the entities. Then faces are written. Reading takes
-/// about 60 % of the time of a STEP file's entities.
+/// The shares of the work that are done after three stages, in large files. The stages are reading
+/// the text, making entities of the text, and making shapes of the entities. Then faces are
+/// written. Reading takes about 60 % of the time of a STEP file's entities.
 constexpr double when_read = 0.12, when_parsed = 0.2, when_made = 0.7;
 
 /// The text of a file as a stream, which tells which share of the text was read.

@@ -32,15 +32,15 @@ namespace {
 using l3d_detail::cad_record;
 
 constexpr std::uint32_t no_edge = 0xffffffff; // l3d_no_edge
-/// The error of trimming curves in the plane of parameters, as a share of the face's range of
-/// parameters.
+/// The error of trimming curves in the plane of parameters. It is a share of the range that the
+/// face has in this plane.
 constexpr double trim_share = 1e-9;
 /// A line closes a gap between a loop's curves that is wider than this share of the loop's extent.
 /// The library l3d allows gaps of 2^-20 of the extent (l3d_trims_complaint).
 constexpr double gap_share = 0x1p-22;
 /// The farthest that a trimming curve may reach beyond its surface's parameters, in multiples of
-/// the face's range. Curves of sound files do so only by rounding, or by a period. Farther away,
-/// doubles give places no more exactly than trim_share.
+/// the face's range. Curves of sound files reach beyond only by rounding, or by a period. Farther
+/// away, doubles give places no more exactly than trim_share.
 constexpr double most_ranges_beyond = 0x1p12;
 /// The most turns of a surface about its axis, as for a screw's thread. A thread of so many turns
 /// takes some 10^4 pieces.
@@ -48,8 +48,8 @@ constexpr double most_turns = 0x1p12;
 
 using place_2d = std::array<double, 2>;
 
-/// The parameters of a curve in the plane of parameters at which it is divided: where the curve is
-/// not smooth, and where it passes from one arc of the surface's parameter_maps to the next.
+/// The parameters at which a curve in the plane of parameters is divided. There, the curve is not
+/// smooth, or passes from one arc of the surface's parameter_maps to the next arc.
 std::vector<double> breaks_of(const rational_curve& flat, const Handle(Geom2d_Curve) & curve,
                               const rational_surface& surface, const direction* edge, double from,
                               double to) {
@@ -94,8 +94,8 @@ std::vector<double> breaks_of(const rational_curve& flat, const Handle(Geom2d_Cu
     return result;
 }
 
-/// The control points of the Bezier curve of degree 5 that passes through six places at equal steps
-/// of its parameter.
+/// The control points of a Bezier curve of degree 5. The curve passes through six given places, at
+/// equal steps of its parameter.
 std::vector<point> through(const std::array<place_2d, 6>& at) {
     // The inverse of the Bernstein polynomials' values at i / 5; rows below the middle mirror them.
     static constexpr double row_1[6] = {-77.0 / 60, 5, -5, 10.0 / 3, -5.0 / 4, 1.0 / 5};
@@ -157,9 +157,9 @@ double size_of(const std::vector<point>& points) {
     return std::sqrt(box.SquareExtent());
 }
 
-/// Moves the range low to high of a face's parameter u or v, as hulls of the face's curves give it,
-/// into the surface's range. A turn about an axis may be longer than one period, as that of a
-/// thread is.
+/// Fits a face's range of one parameter, u or v, into the surface's range. `low` and `high` are the
+/// range's ends, as hulls of the face's curves give them. If the parameter turns about an axis
+/// (`is_turn`), the range may be longer than one period, as for a screw's thread.
 void fit(double& low, double& high, const std::array<double, 2>& optimal, double period,
          bool is_turn, double first, double last) {
     if (period == 0) {
@@ -199,7 +199,7 @@ struct face_writer::edge_use {
         flat = rational_of(GeomAPI::To3d(curve, gp_Pln()), from, to);
     }
 
-    /// The edges of a wire, in order: each begins where the one before ends.
+    /// The edges of a wire, in order. Each edge begins where the edge before it ends.
     static std::vector<edge_use> all_of(const TopoDS_Wire& wire, const TopoDS_Face& face) {
         std::vector<edge_use> result;
         std::size_t count = 0;

@@ -42,10 +42,11 @@ private:
         rational_curve curve;
     };
     using loop = std::vector<trim>;
-    /// An edge of a face's wire, with its direction there.
+    /// An edge of a face's wire, with the edge's direction in the wire and its curve in the plane
+    /// of parameters.
     struct edge_use;
-    /// An edge that was looked at before: its number among the written edges, or none if the edge
-    /// has no curve in space.
+    /// An edge that was looked at before. `number` is its number among the written edges, or none
+    /// if the edge has no curve in space.
     struct known_edge {
         std::uint32_t number;
         direction along;

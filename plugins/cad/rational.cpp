@@ -47,11 +47,11 @@ constexpr double approximation = 1e-6;
 /// Knots that are nearer to each other than this share of the knots' range count as one knot.
 constexpr double same_share = 1e-12;
 
-/// The longest arc of a circle that becomes one rational piece, in radians. Weights are at least
-/// cos(45 degrees) then.
+/// The longest arc of a circle that becomes one rational piece, in radians. With this length,
+/// weights are at least cos(45 degrees).
 constexpr double longest_arc = pi / 2;
-/// The longest arc of a hyperbola that becomes one rational piece, as a hyperbolic angle. The
-/// middle weight is at most cosh(1) then.
+/// The longest arc of a hyperbola that becomes one rational piece, as a hyperbolic angle. With this
+/// length, the middle weight is at most cosh(1).
 constexpr double longest_hyperbolic_arc = 2;
 
 std::vector<double> arc_ends(double from, double to, double longest) {

@@ -20,8 +20,8 @@ inline constexpr int most_degree = 15;
 ///
 /// The two parameters are equal, except for conics. The kernel's parameter of a circle is the
 /// angle, that of a hyperbola the hyperbolic angle. A rational arc of the angles from -h to h has
-/// the parameter h tan(angle / 2) / tan(h / 2), with tanh for a hyperbola. The two parameters agree
-/// at the ends of arcs.
+/// the parameter h tan(angle / 2) / tan(h / 2); a hyperbola has tanh in place of tan. The two
+/// parameters agree at the ends of arcs.
 class parameter_map {
 public:
     enum class kind { same, circular, hyperbolic };
@@ -49,7 +49,7 @@ private:
 };
 
 /// The degree and knots along one direction of a clamped B-spline. Parameters run from the first
-/// knot to the last. `map` leads to them from the kernel's parameters.
+/// knot to the last. `map` turns the kernel's parameters into these parameters.
 struct direction {
     int degree = 1;
     std::vector<double> knots;
@@ -73,7 +73,7 @@ struct rational_curve {
 
 struct rational_surface {
     direction u, v;
-    std::vector<point> points; ///< u fastest
+    std::vector<point> points; ///< control points; the index along u changes fastest
     bool is_approximate = false;
 
     /// The same surface with u and v exchanged, so that its outside becomes its inside.
@@ -93,7 +93,7 @@ rational_curve rational_of(const Handle(Geom_Curve) & curve, double from, double
 
 /// The part of the kernel's surface over a rectangle of its parameters, as a rational B-spline.
 /// Parameters of periodic surfaces may begin anywhere.
-/// Errors: as rational_of of a curve.
+/// Errors: as rational_of for a curve.
 rational_surface rational_of(const Handle(Geom_Surface) & surface, const rectangle& bounds);
 
 } // namespace cad

@@ -8,16 +8,16 @@
 
 namespace l3d_limit {
 
-/// One coordinate of 4 x 4 control points, u fastest.
+/// One coordinate of 4 x 4 control points. The index along u changes fastest.
 using net = std::array<double, 16>;
 
-/// A bit for each side of a face: v = 0, u = 1, v = 1, u = 0. It is set if the side has no
+/// A bit for each side of a face: v = 0, u = 1, v = 1, u = 0. A bit is set if its side has no
 /// neighbour.
 enum side_bits : unsigned { v_low = 1, u_high = 2, v_high = 4, u_low = 8 };
 
-/// Computes the control points beyond the sides without neighbours, by reflection: each lies as far
-/// outside as its counterpart lies inside. So the surface's boundary is the B-spline curve of the
-/// control points on the side.
+/// Computes the control points beyond sides without neighbours by reflection at the control points
+/// on the side. Each lies as far outside as its counterpart lies inside. So the surface's boundary
+/// is the B-spline curve of the control points on the side.
 inline void reflect_at_boundaries(net& p, unsigned boundary) {
     for (std::size_t i = 0; i < 4; ++i) {
         if (boundary & v_low)
@@ -33,8 +33,8 @@ inline void reflect_at_boundaries(net& p, unsigned boundary) {
     }
 }
 
-/// The Bezier points of the patch for the middle one of the 3 x 3 squares that a uniform B-spline's
-/// control points form.
+/// The 4 x 4 control points of a uniform B-spline form 3 x 3 squares. Returns the Bezier points of
+/// the patch that belongs to the middle square.
 ///
 /// The order of additions does not depend on the direction in which control points are counted. So
 /// two neighbours compute the same bits for their common side.
@@ -75,9 +75,9 @@ inline net bezier_of(const net& p) {
     return result;
 }
 
-/// The control points of the two halves of a cubic Bezier curve: 7 in a row, of which both halves
-/// share the middle one. All are midpoints of midpoints, so the reversed curve gives the same
-/// points, bit for bit.
+/// The control points of the two halves of a cubic Bezier curve: 7 in a row. Both halves share the
+/// middle point. All are midpoints of midpoints, so the reversed curve gives the same points, bit
+/// for bit.
 inline std::array<double, 7> halves_of(double a, double b, double c, double d) {
     const double ab = (a + b) / 2, bc = (b + c) / 2, cd = (c + d) / 2;
     const double abc = (ab + bc) / 2, bcd = (bc + cd) / 2;

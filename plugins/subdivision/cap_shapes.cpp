@@ -81,7 +81,7 @@ struct weighted {
     }
 };
 
-/// The weights that one vertex has in 16 control points.
+/// The weights of one vertex of the ring in each of 16 control points.
 net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
     net result{};
     for (std::size_t k = 0; k < 16; ++k)
@@ -89,8 +89,8 @@ net net_of(const std::array<weighted, 16>& points, std::size_t vertex) {
     return result;
 }
 
-/// The bicubic Bezier patch for a Gregory patch's twenty points. Each corner has five points:
-/// itself, the points next to it on both sides, and two inner points. The bicubic patch has the
+/// The bicubic Bezier patch for a Gregory patch's twenty points. Five points belong to each corner:
+/// the corner itself, its neighbours on both sides, and two inner points. The bicubic patch has the
 /// mean of the two inner points.
 net bezier_of_gregory(const std::array<double, 20>& p) {
     const auto middle = [&](std::size_t corner) {
@@ -136,14 +136,14 @@ struct rest {
 } // namespace
 
 struct cap_shapes::weights {
-    /// The results of ten subdivisions. Each result is a difference of points, as a row of weights,
-    /// one for each vertex.
+    /// The results of ten subdivisions. Each result is a difference of two points. It is stored as
+    /// a row of weights, one weight for each vertex.
     struct stage {
         /// Differences between the control points of exact patches and those of the cap's part.
         std::vector<double> differences;
-        /// Differences in the faces that are still irregular, from the cap's first control point in
-        /// each face. The list surface_spread has the differences of all points on which the limit
-        /// surface depends. The list cap_spread has those of the cap's other control points.
+        /// Differences from the cap's first control point in each face that is still irregular. The
+        /// list surface_spread has the differences of all points on which the limit surface
+        /// depends. The list cap_spread has the differences of the cap's remaining control points.
         std::vector<double> surface_spread, cap_spread;
     };
     std::size_t vertices = 0;

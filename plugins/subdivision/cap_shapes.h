@@ -21,10 +21,11 @@ using place = std::array<double, 3>;
 /// A face with all faces that touch it. The face's limit surface depends on the vertices of these
 /// faces alone.
 struct face_ring {
-    /// Indices of the vertices in the level, each once; the face's own vertices come first.
+    /// Indices of the vertices in the level of subdivision, each once. The face's own vertices come
+    /// first.
     std::vector<int> vertices;
-    /// All facts besides places on which the limit surface depends, as a key: rings that differ
-    /// only in places have equal keys.
+    /// A key made of all facts, besides places, on which the limit surface depends. Rings that
+    /// differ only in places have equal keys.
     std::vector<int> shape;
     /// Sizes and corners of the faces; corners are indices in `vertices`.
     std::vector<int> face_sizes, corners;

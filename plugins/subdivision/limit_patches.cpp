@@ -59,9 +59,9 @@ place point_of(const std::array<net, 3>& of, std::size_t k) {
     return {of[0][k], of[1][k], of[2][k]};
 }
 
-/// Gives all patches that meet at a vertex or along an edge the same control points there, bit for
-/// bit. They are the points of the coarsest patch, or of its side's halves where the other patches
-/// are half as large.
+/// Gives all patches that meet at a vertex or along an edge the same control points at this place,
+/// bit for bit. These are the points of the coarsest patch. Where neighbours are half as large,
+/// they are the points of the halves of its side.
 class common_borders {
 public:
     explicit common_borders(const refined_mesh& mesh) : mesh_(mesh) {
@@ -73,9 +73,11 @@ public:
         }
     }
 
-    /// Replaces control points on the sides of a leaf's patch by the common ones.
-    /// Expects: it is called for coarser leaves before finer ones, and in each level for exact
-    ///          patches first. Returns the largest distance by which a control point was moved.
+    /// Replaces the control points on the sides of a leaf's patch by the points common to all
+    /// patches there.
+    /// Expects: unite() is called for coarser leaves before finer leaves, and in each level for
+    ///          exact patches first. Returns the largest distance by which a control point was
+    ///          moved.
     double unite(const leaf& of, std::array<net, 3>& patch) {
         const std::array<net, 3> before = patch;
         const auto put = [&](std::size_t k, const place& to) {
@@ -197,10 +199,10 @@ level_patches patches_of(const refined_mesh& mesh, const std::vector<point>& poi
     return result;
 }
 
-/// Bound of the rounding of patches' control points. A vertex is a sum of products, at most one for
-/// each level and each vertex of a ring, with weights that add up to 1. With fewer than 2^10
-/// vertices in a ring, 10 levels and the 2^3 roundings of bezier_of, rounding is less than 2^14
-/// times half an ulp of the largest coordinate.
+/// Bound of the rounding of patches' control points. A vertex is a sum of products with weights
+/// that add up to 1. There is at most one product for each level and each vertex of a ring. With
+/// fewer than 2^10 vertices in a ring, 10 levels and the 2^3 roundings of bezier_of, rounding is
+/// less than 2^14 times half an ulp of the largest coordinate.
 double rounding_of(const std::vector<place>& places) {
     double largest = 0;
     for (const place& p : places)

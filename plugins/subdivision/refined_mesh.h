@@ -32,7 +32,8 @@ struct mesh_topology {
 /// A face that is not subdivided further, and becomes one patch.
 struct leaf {
     int base_face; ///< the cage's face that the leaf is a part of
-    /// Index of its quad among all. A face of 4 corners has one, others have one per corner.
+    /// Index of the leaf's quad among the quads of all faces. A face of 4 corners is one quad; any
+    /// other face has one quad for each corner.
     int quad;
     int level, face; ///< the leaf's level, and its index among the level's faces
     /// The part of the quad that the leaf covers. The quad's parameters run from 0 to 1.
@@ -71,7 +72,8 @@ public:
         return result;
     }
 
-    /// The 16 B-spline control points of a leaf, u fastest. Points beyond a boundary are undefined.
+    /// The 16 B-spline control points of a leaf. The index along u changes fastest. Points beyond a
+    /// boundary are undefined.
     /// Expects: the leaf is regular; `points` are the result of refined().
     template <class Point>
     std::array<Point, 16> control_points(const std::vector<Point>& points, const leaf& of) const {

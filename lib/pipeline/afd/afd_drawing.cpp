@@ -13,7 +13,7 @@
 
 namespace {
 
-/// Lengths of the dashes of hidden lines, and of the gaps between dashes. Units: pixels.
+/// Hidden lines are drawn with dashes and gaps of these lengths. Units: pixels.
 constexpr double dash = 5, gap = 4;
 
 std::int32_t in_subpixels(double pixels) {

@@ -19,7 +19,7 @@ namespace {
 constexpr std::uint32_t mark_color = 0x00ffd873;
 
 /// Collects lines between points of the image, to draw nets and marked parts. A line that several
-/// patches share is kept once. A line that reaches behind the near plane is left out.
+/// patches share is collected once. A line that reaches behind the near plane is left out.
 class image_lines {
 public:
     explicit image_lines(const l3d_dice_view& view) : view_(view) {}

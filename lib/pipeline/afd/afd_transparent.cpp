@@ -56,9 +56,10 @@ std::vector<cell> cells_of(const std::vector<l3d_pixel_box>& boxes) {
 
 } // namespace
 
-/// Draws transparent instances: the mean of pictures in each of which an instance is either opaque
-/// or absent. The instance's opacity is the probability that it is there. So nothing needs to be
-/// sorted, and surfaces may pass through each other.
+/// Draws transparent instances, as the mean of several pictures, weighted by their probabilities.
+/// In each of these pictures, a transparent instance is either opaque or absent. An instance's
+/// opacity is the probability that the instance is there. So nothing needs to be sorted, and
+/// surfaces may pass through each other.
 void l3d_pipeline_afd::draw_transparent(const basis& now, l3d_stage_times& times) {
     std::vector<std::size_t> opaque, transparent;
     const auto instances = scene_.instances();
@@ -124,17 +125,18 @@ l3d_patch_scene l3d_pipeline_afd::what_is_there() const {
     return scene_.only(there);
 }
 
-/// Bound of the error, in shade levels of 0 to 255, of a mean of pictures' light, from the bound
-/// `of_each` picture's error. It is 4/3 of that bound (NUMERICS, section 22), and one rounding
-/// more.
+/// Bounds the error of a picture that is the mean light of several pictures, in shade levels of 0
+/// to 255. `of_each` is the bound of each of these pictures' errors. The result is 4/3 of `of_each`
+/// (NUMERICS, section 22), and one rounding more.
 double l3d_pipeline_afd::shade_bound_of_mix(double of_each) {
     constexpr double most_steep = 4.0 / 3, rounding = 0.51;
     return most_steep * of_each + rounding;
 }
 
 /// Bound of the error that fog adds, in shade levels of 0 to 255. A drawn surface is nowhere
-/// farther from the exact one than the bound of depth, in pixels at the surface's distance. The
-/// amount of fog is rounded to whole 255ths, and its two products to whole levels.
+/// farther from the exact surface than the bound of depth, in pixels at the surface's distance. The
+/// amount of fog is rounded to whole 255ths. Its products with the two colours that are mixed are
+/// rounded to whole levels.
 double l3d_pipeline_afd::shade_bound_of_fog() const {
     const l3d_fog& fog = settings_.fog;
     if (!fog.is_on())
@@ -148,8 +150,9 @@ double l3d_pipeline_afd::shade_bound_of_fog() const {
 }
 
 /// Bound of the error of shades under lights. A pixel's shade belongs to an exact point that is off
-/// by at most the bound of places. The eye sees this distance under the largest angle in the
-/// picture's middle. In a parallel projection the angle is 0, since all rays have one direction.
+/// by at most the bound of places. So the direction of the eye's ray may be off by an angle, which
+/// is largest in the picture's middle. In a parallel projection this angle is 0, since all rays
+/// have one direction.
 double l3d_pipeline_afd::shade_bound_of_lights(const l3d_shading& shading) const {
     const l3d_size size = stages_->view.size;
     return l3d_lit_shade_bound(

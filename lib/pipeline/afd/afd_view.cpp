@@ -12,8 +12,8 @@
 
 namespace {
 
-/// Whether a scene has patches that could be seen, but none with an area: all their normals are
-/// zero. Instances of opacity 0 do not count.
+/// Whether a scene has patches that could be seen, but all of these patches lack an area: all their
+/// normals are zero. Instances of opacity 0 do not count.
 bool is_without_area(const l3d_patch_scene& scene) {
     bool has_patches = false;
     for (const l3d_patch_instance& instance : scene.instances()) {

@@ -25,12 +25,12 @@ constexpr double radius = 3.5; // the size of a handle, in pixels
 constexpr double grasp = 10;   // most pixels from the pointer to a handle's middle
 /// The factor by which a notch of the wheel changes a weight.
 constexpr double notch_weight = 1.1;
-/// A line counts as hidden only if it is farther away than the surface by this factor. Otherwise
-/// rounding would hide the lines of a net that lie on the surface.
+/// A line counts as hidden only if its distance from the eye is more than this factor times that of
+/// the surface. Otherwise rounding would hide the lines of a net that lie on the surface.
 constexpr double just_behind = 1.004;
 
-/// A place that was projected: its place in the picture, from the left upper corner, and its
-/// distance along the view axis.
+/// A place in the world as the picture shows it: its position from the picture's left upper corner,
+/// and its distance along the view axis.
 struct seen_place {
     double x, y, distance;
 };
@@ -55,7 +55,7 @@ bool is_hidden(const seen_place& place, const l3d_depth_buffer* depth) {
     return static_cast<double>(reciprocal) * place.distance > just_behind;
 }
 
-/// Two paths, which collect the visible and the hidden parts of lines.
+/// Two paths: one collects the visible parts of lines, and one the hidden parts.
 struct two_paths {
     l3d_path seen, hidden;
 

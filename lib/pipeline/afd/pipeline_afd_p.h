@@ -56,15 +56,16 @@ struct l3d_pipeline_afd::stages {
     l3d_image_transform transform;
     l3d_dice_view view;
     l3d_curved_error curved;
-    l3d_box_lanes moved_to; ///< new boxes of moved instances; kept to reuse the memory
+    /// Boxes around the new places of moved instances; kept to reuse the memory.
+    l3d_box_lanes moved_to;
     l3d_scene_culling wire_culling;
     l3d_frame_dicer<l3d_real> wire_dicer;
     l3d_detail::light_mix mix;     ///< mixes pictures with and without transparent instances
-    l3d_image mixed;               ///< the picture that `mix` takes next
+    l3d_image mixed;               ///< the next picture that `mix` adds to its mean
     l3d_detail::depth_lines lines; ///< kept to reuse the memory
     /// The edges of models as lines, by the models' identities.
     std::map<const void*, std::vector<l3d_space_curve>> edges;
-    /// Map of errors of the last frame that asked for one.
+    /// The map of errors of the last frame for which the settings asked for a map.
     std::unique_ptr<l3d_frame_doubts> doubts;
 };
 

@@ -24,7 +24,8 @@ namespace hn = hwy::HWY_NAMESPACE;
 constexpr std::size_t together = 4;
 static_assert(l3d_micro_triangles::lanes % together == 0);
 
-/// The records of one corner of each of the triangles, and the bits that reverse its normals.
+/// For the triangles that are copied together: the records of one corner of each triangle, and the
+/// bit that reverses its normals.
 struct corner_records {
     std::array<const placed_vertices::place*, together> places;
     std::array<const placed_vertices::normal*, together> normals;

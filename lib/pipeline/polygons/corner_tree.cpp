@@ -27,7 +27,7 @@ corner_tree::corner_tree(std::span<const flat_place> places)
         position_[order_[i]] = i;
 }
 
-/// Makes a node: fills its box, sorts its corners into halves, and makes the halves.
+/// Makes a node: fills its box, sorts its corners into halves, and makes the nodes of the halves.
 void corner_tree::make(const half& of) {
     const auto begin = order_.begin() + static_cast<std::ptrdiff_t>(of.begin);
     const auto end = order_.begin() + static_cast<std::ptrdiff_t>(of.end);
@@ -59,9 +59,9 @@ void corner_tree::remove(std::size_t corner) {
     }
 }
 
-/// Whether a box may meet a triangle. It is false only if no point of the box is in the triangle.
-/// For each side of the triangle, it tests the corner of the box that lies farthest to the side's
-/// left, where turn() is largest.
+/// Whether a box may meet a triangle. The result is false only if no point of the box is in the
+/// triangle. For each side of the triangle, the function tests the corner of the box that lies
+/// farthest to the side's left, where turn() is largest.
 bool corner_tree::may_meet(const bounds& box, const std::array<flat_place, 3>& triangle) const {
     for (std::size_t i = 0; i < 3; ++i) {
         const flat_place &a = triangle[i], &b = triangle[(i + 1) % 3];

@@ -25,17 +25,17 @@ inline wide_integer turn(const flat_place& a, const flat_place& b, const flat_pl
 }
 
 /// A tree that finds out whether any corner of a polygon lies in a triangle. Each node divides its
-/// corners into two halves, across the wider side of their box. It counts its corners that are not
-/// removed yet.
+/// corners into two halves, across the wider side of their box. Each node counts those of its
+/// corners that are not removed yet.
 ///
 /// Cost:   making the tree of n corners takes n log n time. For a triangle without corners,
 ///         any_in() looks at the boxes that the triangle's sides cross, about sqrt(n). For other
-///         triangles it looks at fewer.
+///         triangles it looks at fewer boxes.
 /// Source: Bentley: Multidimensional binary search trees used for associative searching (CACM 18,
 ///         1975).
 class corner_tree {
 public:
-    /// Makes a tree of these corners. Lives: borrows the places.
+    /// Makes a tree of the corners at these places. Lives: borrows the places.
     explicit corner_tree(std::span<const flat_place> places);
 
     /// Removes a corner, so that any_in() ignores it. Expects: the corner is not removed yet.
@@ -110,7 +110,8 @@ private:
     std::vector<std::size_t> order_;
     std::vector<std::size_t> position_; ///< each corner's index in `order_`
     std::vector<bool> removed_;
-    /// One for each node; node 1 is the whole, node n has the halves 2n and 2n + 1.
+    /// The box of each node. Node 1 holds all corners; the halves of node n are the nodes 2n and 2n
+    /// + 1.
     std::vector<bounds> boxes_;
 };
 

@@ -60,8 +60,8 @@ crease_normals::crease_normals(const l3d_polygon_mesh& mesh, std::span<const vec
     }
 }
 
-/// Whether two faces that share an edge are smooth there. A face without area has no normal that
-/// could differ.
+/// Whether the edge between two faces is smooth. It is always smooth beside a face without area,
+/// which has no normal that could differ.
 bool crease_normals::is_smooth(std::uint32_t face, std::uint32_t other) const {
     const direction &a = of_faces_[face], &b = of_faces_[other];
     return l3d_dot(a, b) >= least_cosine_ || l3d_dot(a, a) == 0 || l3d_dot(b, b) == 0;

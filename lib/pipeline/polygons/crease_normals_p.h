@@ -12,13 +12,13 @@
 
 namespace l3d_detail {
 
-/// Finds the faces' corners whose normals differ from their vertex's one normal, as at a crease,
-/// and these normals.
+/// Finds normals for corners of faces at creases. There, one normal at the vertex does not suit all
+/// faces around the vertex.
 ///
-/// An edge is smooth if the normals of its two faces are at most the crease angle apart. Faces
-/// around a vertex that smooth edges connect share a normal there: the mean of their own normals,
-/// weighted by area. If smooth edges connect all faces around a vertex, the vertex keeps its one
-/// normal.
+/// An edge is smooth if the normals of its two faces are at most the crease angle apart. Around a
+/// vertex, faces that smooth edges connect share a normal. It is the mean of the faces' own
+/// normals, weighted by area. If smooth edges connect all faces around a vertex, the vertex keeps
+/// its one normal.
 /// Cost: k log k for a vertex of k faces.
 class crease_normals {
 public:
@@ -37,8 +37,8 @@ public:
     /// The normals that differ from those of vertices, as unit vectors.
     std::span<const direction> normals() const { return normals_; }
 
-    /// The index in normals() for a face's corner at a vertex; `none` if it has the vertex's
-    /// normal.
+    /// The index in normals() for a face's corner at a vertex; `none` if the corner has the
+    /// vertex's normal.
     std::uint32_t at(std::uint32_t vertex, std::uint32_t face) const;
 
     static constexpr std::uint32_t none = ~std::uint32_t{0};
@@ -61,15 +61,18 @@ private:
     std::span<const direction> of_faces_;
     float least_cosine_, least_of_mean_;
     std::vector<direction> normals_;
-    std::vector<place> places_; ///< all corners with normals that differ, sorted for binary search
+    /// All corners with normals other than their vertices', sorted for binary search.
+    std::vector<place> places_;
 
     struct end {
         std::uint32_t vertex, corner;
         friend auto operator<=>(const end&, const end&) = default;
     };
-    /// The edges around a vertex, each by its other end; kept to reuse the memory.
+    /// The edges around a vertex. Each is stored as the vertex at its other end. The memory is kept
+    /// for the next vertex.
     std::vector<end> ends_;
-    /// For each corner around a vertex, another corner of its group.
+    /// For each corner around a vertex, an earlier corner of the same group, or itself if it is the
+    /// group's first one.
     std::vector<std::uint32_t> groups_;
     std::vector<vector> sums_;
     std::vector<std::uint32_t> numbers_;

@@ -67,8 +67,8 @@ private:
         return (inside_ab && inside_bc) || enters(previous_[p]) || enters(next_[p]);
     }
 
-    /// Takes corners off a queue until `still` holds for the first one, and returns this corner. It
-    /// returns 0 if there is none, since corner 0 is never cut off.
+    /// Takes corners off a queue until `still` is true for the first corner, and returns this
+    /// corner. If no such corner is left, it returns 0, since corner 0 is never cut off.
     template <class Queue, class Still>
     static std::size_t first_of(Queue& queue, const Still& still) {
         while (!queue.empty()) {

@@ -27,16 +27,16 @@ public:
 
     flat_face(const l3d_polygon_mesh& mesh, std::span<const std::uint32_t> face);
 
-    /// Cuts the face into triangles: two fewer than the face has corners. If the face does not
-    /// cross itself, the triangles cover it once. Corners and sides of the face may touch, as where
-    /// a path leads to the border of a hole and back. Faces that cross themselves become arbitrary
-    /// triangles.
+    /// Cuts the face into triangles. There are two triangles fewer than the face has corners. If
+    /// the face does not cross itself, the triangles cover it once. Corners and sides of the face
+    /// may touch, as where a path leads to the border of a hole and back. Faces that cross
+    /// themselves become arbitrary triangles.
     ///
     /// Each step cuts off the first ear: a corner for which the face's border does not enter the
     /// triangle of the corner and its two neighbours.
-    /// Cost:   linear for a convex face. Otherwise n log n, and three questions to a corner_tree
-    ///         for each corner, since cutting a corner off changes only the triangles of its
-    ///         neighbours.
+    /// Cost:   linear for a convex face. For any other face it is n log n, and three questions to a
+    ///         corner_tree for each corner. Cutting a corner off changes only the triangles of its
+    ///         two neighbours.
     /// Source: Meisters: Polygons have ears (American Mathematical Monthly 82, 1975).
     std::vector<triangle> triangles() const;
 

@@ -24,8 +24,8 @@ std::array<double, 3> numbers(const point& p) {
     return {p[0], p[1], p[2]};
 }
 
-/// Whether a boundary curve is evaluated from its other end, so that the patches on both sides get
-/// the same points.
+/// Whether a boundary curve is evaluated from its end to its beginning. So the patches on both
+/// sides, which may count in opposite directions, get the same points.
 bool runs_backwards(const curve& c) {
     for (std::size_t i = 0; i < 2; ++i) {
         const auto from = numbers(c.points[i]), to = numbers(c.points[3 - i]);
@@ -60,8 +60,8 @@ point normal_at(const l3d_normal_net& normals, int column, int row, int n) {
     return {unit[0], unit[1], unit[2]};
 }
 
-/// Reverses normals that point to the back of the facets around them. This happens where a patch
-/// folds within less than a facet, as the teapot does at the top of its knob.
+/// Reverses the normals of vertices that point to the back of the facets around the vertex. This
+/// happens where a patch folds within less than a facet, as the teapot does at the top of its knob.
 void turn_to_faces(l3d_polygon_mesh& mesh) {
     std::vector<point> areas(mesh.vertices.size(), point{0.0, 0.0, 0.0});
     for (std::size_t f = 0; f < mesh.faces(); ++f) {

@@ -68,8 +68,8 @@ struct L3D_PUBLIC l3d_polygon_settings {
     std::optional<l3d_texture_filter> textures = l3d_texture_filter::anisotropic;
 
     /// Whether faces that are seen from behind are left out. Otherwise both sides of all faces are
-    /// drawn, with the normals turned to the eye. Faces of closed bodies that are seen from behind
-    /// cost nothing in both cases, since the bodies' fronts hide them.
+    /// drawn, with the normals turned to the eye. In both cases, faces of closed bodies that are
+    /// seen from behind cost nothing, since the bodies' fronts hide these faces.
     bool cull = false;
 
     /// The picture's colours where nothing is drawn.
@@ -142,8 +142,8 @@ public:
     void pointer_event(const l3d_event& event) override;
     void resize_event(l3d_size size) override;
     void update_event(double seconds) override;
-    /// Whether the controls are at rest: time alone changes nothing else. A subclass that overrides
-    /// update_event overrides this, too.
+    /// Whether the controls are at rest. Nothing else in the viewer changes with time. A subclass
+    /// that overrides update_event overrides this function, too.
     bool is_at_rest() const override { return controls_.is_at_rest(); }
     double rest_left() const override { return controls_.rest_left(); }
     void rest_event(double seconds) override;
@@ -200,7 +200,8 @@ private:
     virtual void draw_hidden_lines(const scene& what, l3d_polygon_report& report) = 0;
     virtual const char* name() const = 0;
     /// Whether draw_solid or draw_hidden_lines needs the frame's parts (l3d_polygon_frame::parts).
-    /// Without parts, they use its list of triangles alone.
+    /// Without parts, these functions use the frame's list of triangles alone
+    /// (l3d_polygon_frame::list).
     virtual bool draws_parts(const l3d_shading&) const { return true; }
 
     void draw_model(l3d_polygon_report& report);

@@ -20,8 +20,8 @@ l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model 
     : l3d_pipeline_polygons(std::move(canvas), std::move(model), camera, settings), method_(method),
       rasterizer_(surfaces.create_surface(workers())) {}
 
-/// Copies the pointer to the canvas's factory. The canvas may be the factory's only owner, and is
-/// moved away before surfaces are made.
+/// Copies the shared pointer to the canvas's factory. The canvas may be the factory's only owner,
+/// and is moved away before the surface rasterizer is made.
 l3d_pipeline_zbuffer::l3d_pipeline_zbuffer(l3d_canvas canvas, l3d_polygon_model model,
                                            const l3d_camera& camera,
                                            const l3d_polygon_settings& settings)

@@ -35,8 +35,8 @@ std::array<float, 3> turned(const l3d_matrix<double>& placement,
     return result;
 }
 
-/// Copies a normal, and reverses the copy if `sign` is the sign bit. It has no branch, since the
-/// processor could not predict one.
+/// Copies a normal, and reverses the copy if `sign` is the sign bit. The code has no branch, since
+/// the processor could not predict a branch.
 void turn_round(const placed_vertices::normal& normal, std::uint32_t sign, float* to) {
     for (std::size_t c = 0; c < 3; ++c)
         to[c] = std::bit_cast<float>(std::bit_cast<std::uint32_t>(normal[c]) ^ sign);
@@ -204,8 +204,8 @@ void l3d_polygon_frame::note_turns(std::size_t count, const chunk& of) {
 }
 
 /// Notes, as the part's border, the sides of triangles beyond which no triangle's corners go round
-/// in the same direction: there the surface may end or fold over. A triangle that covers nothing
-/// adds no sides, since its neighbours do.
+/// in the same direction: at such sides the surface may end or fold over. A triangle that covers
+/// nothing adds no sides, since its neighbours do.
 void l3d_polygon_frame::make_border(chunk& of) const {
     const l3d_micro_triangles& all = of.part.triangles;
     for (std::size_t i = 0; i < all.count; ++i) {

@@ -39,7 +39,8 @@ public:
     struct way {
         /// Whether faces seen from behind are left out.
         bool cull = true;
-        /// Whether corners have the normals of the model's vertices; otherwise each has its face's.
+        /// Whether corners have the normals of the model's vertices. Otherwise each corner has the
+        /// normal of its face.
         bool smooth = false;
         /// Whether triangles that hold no pixel's centre are kept, and border edges of parts are
         /// made.
@@ -48,7 +49,7 @@ public:
         /// anti-aliasing.
         bool parts = true;
         /// Whether faces seen from behind are left out even without `cull`, if the model consists
-        /// of closed bodies whose fronts hide all of them.
+        /// of closed bodies whose fronts hide all such faces.
         bool cull_hidden = false;
         /// The index of the model's first material among the picture's materials.
         std::uint32_t first_material = 0;
@@ -75,10 +76,10 @@ public:
     /// Lists the triangles of all parts one by one. Each triangle tells which of its sides are
     /// sides of its face. A clipped triangle comes as pieces, with the outline of the polygon that
     /// clipping leaves.
-    /// Expects: model and view of the last make are still there.
+    /// Expects: model and view of the last make() still exist.
     void list(std::vector<l3d_painter_triangle>& out, l3d_workers& workers) const;
 
-    /// The ends of the parts in the list of list(): part i ends before triangle ends()[i].
+    /// The ends of the parts in the list that list() makes: part i ends before triangle ends()[i].
     std::vector<std::size_t> ends() const;
     /// Writes the triangles of one part to `out`.
     /// Expects: `out` has as many elements as the part has triangles.
@@ -113,7 +114,7 @@ private:
         l3d_dice_view window;
         way how;
         std::span<const std::size_t> ends;
-        std::size_t in_chunk; ///< number of triangles in a chunk, if there are no ends
+        std::size_t in_chunk; ///< number of triangles in a chunk, if make() got no `ends`
     };
 
     using normal = std::array<float, 3>;
@@ -145,7 +146,8 @@ private:
     std::optional<frame_input> input_; ///< input of the last make
     l3d_detail::placed_vertices vertices_;
     l3d_detail::triangle_neighbours neighbours_;
-    std::vector<turn> turns_; ///< the turn of each of the model's triangles, for anti-aliasing
+    /// For each of the model's triangles, its turn in the picture; used for anti-aliasing.
+    std::vector<turn> turns_;
     std::vector<chunk> chunks_;
     std::size_t count_ = 0; ///< number of chunks that are in use
     std::vector<const l3d_surface_part*> parts_;

@@ -103,8 +103,8 @@ void l3d_polygon_model::contents::measure() {
             radius = std::max(radius, l3d_length(mesh.vertices[k] - centre()));
 }
 
-/// Makes the list of materials: faces that look alike share one. If all faces are plain, the list
-/// is empty.
+/// Makes the list of materials: faces that look alike share an entry. If all faces are plain, the
+/// list is empty.
 void l3d_polygon_model::contents::make_materials(std::span<const l3d_material> looks) {
     materials.clear();
     materials_of_faces.clear();
@@ -273,9 +273,9 @@ void l3d_polygon_model::contents::make_facing_blocks() {
 }
 
 /// Turns the mesh's own normals to the side from which faces' corners run counterclockwise, so that
-/// the visible side is lit. A file may take the other side for the outside. Where a surface folds
-/// over, faces around one vertex get opposite normals, since light interpolated between opposite
-/// normals would be dark.
+/// the visible side is lit. Some files have normals that point to the opposite side. Where a
+/// surface folds over, faces around one vertex get opposite normals, since light interpolated
+/// between opposite normals would be dark.
 void l3d_polygon_model::contents::turn_normals_to_faces() {
     const auto side_of = [&](const l3d_model_triangle& t, std::size_t k) {
         return l3d_dot(face_normals[t.face], vertex_normals[t.corners[k]]);

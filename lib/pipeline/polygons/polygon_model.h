@@ -27,8 +27,7 @@ struct L3D_PUBLIC l3d_model_triangle {
     std::uint32_t sides = 0;
 };
 
-/// Bounds of the normals and places of 32 triangles that follow each other in the list of a model's
-/// triangles.
+/// Bounds of the normals and places of 32 triangles in a row of a model's list of triangles.
 ///
 /// The normal of each triangle's face is at most `spread` away from `axis`, and each triangle's
 /// first corner is at most `reach` away from `middle`. So one test may show that the eye sees all
@@ -43,8 +42,8 @@ struct L3D_PUBLIC l3d_facing_block {
     double reach = 0;  ///< largest distance of a first corner from `middle`
 };
 
-/// The usual crease angle: faces whose normals differ by more have a crease where they meet. With
-/// this angle, a prism of 12 or more sides looks like a round body. Units: degrees.
+/// The usual crease angle. Two faces whose normals differ by more have a crease where they meet.
+/// With this angle, a prism of 12 or more sides looks like a round body. Units: degrees.
 inline constexpr double l3d_usual_crease_angle = 30;
 
 /// A polygon mesh with all that drawing needs, computed once: faces as triangles, normals of faces
@@ -69,7 +68,7 @@ public:
     l3d_polygon_model() : l3d_polygon_model(l3d_polygon_mesh()) {}
     /// Makes a copy that shares the contents.
     l3d_polygon_model(const l3d_polygon_model&) = default;
-    /// Shares the contents of the other model from now on, and drops this model's own contents.
+    /// Takes part in the contents of another model, and drops this model's own contents.
     l3d_polygon_model& operator=(const l3d_polygon_model&) = default;
     ~l3d_polygon_model() = default;
 
@@ -102,14 +101,16 @@ public:
     /// counterclockwise as seen from the side that its normal points to.
     std::span<const direction> face_normals() const { return contents_->face_normals; }
 
-    /// The unit normal of each vertex. A normal that the mesh gives is kept; all of them are
-    /// reversed if most point away from their faces' fronts. Without a normal in the mesh, it is
-    /// the mean of the normals of the faces around the vertex, weighted by area. A vertex without a
-    /// face has 0. At creases, corner_normal() has other normals.
+    /// The unit normal of each vertex. A normal that the mesh gives is kept, but all these normals
+    /// are reversed if most of them point away from their faces' fronts. If the mesh gives no
+    /// normal for a vertex, the vertex's normal is the mean of the normals of the faces around it,
+    /// weighted by area. A vertex without a face has the normal 0. At creases, corner_normal() has
+    /// other normals.
     std::span<const direction> vertex_normals() const { return contents_->vertex_normals; }
 
-    /// The normal that a triangle is lit with at a corner. It is the vertex's normal, another one
-    /// if the vertex is on a crease, or the opposite one where the mesh folds over.
+    /// The normal that a triangle is lit with at a corner. It is the vertex's normal. At a crease
+    /// it may be another normal, and where the mesh folds over, the opposite of the vertex's
+    /// normal.
     /// Expects: triangle < triangles().size(), corner < 3.
     const direction& corner_normal(std::size_t triangle, std::size_t corner) const {
         const std::uint32_t of = contents_->crease_corners.empty()
@@ -137,10 +138,10 @@ public:
     /// Makes a model that shows all faces but those of these parts. Expects: as only().
     l3d_polygon_model without(std::span<const std::size_t> parts) const;
 
-    /// Makes a model of the shown faces in front of a plane. Faces that cross the plane are cut
-    /// there, and bodies stay open. Pictures are left out. Normals are made anew with the usual
+    /// Makes a model of the shown faces in front of a plane. Faces that cross the plane are cut at
+    /// the plane, and bodies stay open. Pictures are left out. Normals are made anew with the usual
     /// crease angle, unless the mesh has its own. The new model keeps the box and centre() of this
-    /// one.
+    /// model.
     /// Cost: as the constructor.
     l3d_polygon_model cut(const l3d_plane<double>& plane) const;
 
@@ -153,7 +154,7 @@ public:
         return contents_->materials_of_faces.empty() ? 0 : contents_->materials_of_faces[face];
     }
 
-    /// Makes a model of the same faces, with pictures on all faces whose materials name one.
+    /// Makes a model of the same faces, with pictures on all faces whose materials name a picture.
     /// `textures` has a texture for each of mesh().pictures. If a texture is null or missing, its
     /// faces have the colours of their materials.
     l3d_polygon_model textured(std::vector<std::shared_ptr<const l3d_texture>> textures) const;
@@ -162,8 +163,8 @@ public:
         return contents_->textures;
     }
 
-    /// For each triangle, the colours of its corners or the picture that is blended over it. Empty
-    /// if no vertex has a colour and no material a texture.
+    /// For each triangle, the colours of its corners, or the picture that is blended over the
+    /// triangle. The list is empty if no vertex has a colour and no material has a texture.
     std::span<const l3d_painted_triangle> painted() const { return contents_->painted; }
 
     /// The corner of the model's box with the smallest x, y and z.
@@ -212,8 +213,8 @@ private:
         std::vector<std::uint32_t> materials_of_faces; ///< for each face, an index in materials
         std::vector<std::shared_ptr<const l3d_texture>> textures;
         std::vector<l3d_painted_triangle> painted;
-        /// True for faces whose vertices' colours are ignored (part_painted); empty if there are
-        /// none.
+        /// For each face, whether the colours of its vertices are ignored (part_painted). Empty if
+        /// no face ignores colours.
         std::vector<bool> repainted;
         vector least{0.0, 0.0, 0.0}, most{0.0, 0.0, 0.0};
         double radius = 0;
@@ -228,10 +229,10 @@ private:
 /// takes 0.7 GB.
 inline constexpr std::int64_t l3d_most_texture_pixels = std::int64_t{1} << 26;
 
-/// Reads the textures of a mesh, for l3d_polygon_model::textured: one for each of its pictures. The
-/// texture is null for a picture that no face shows, that cannot be read, or that is too large. For
-/// each picture that cannot be read or is too large, `notes` get a line with file and reason. So a
-/// bad picture does not keep a model from being shown.
+/// Reads the textures of a mesh, for l3d_polygon_model::textured: one for each of the mesh's
+/// pictures. The texture is null for a picture that no face shows, that cannot be read, or that is
+/// too large. For each picture that cannot be read or is too large, `notes` get a line with file
+/// and reason. So a bad picture does not keep a model from being shown.
 ///
 ///     std::vector<std::string> notes;
 ///     const l3d_polygon_model plain(mesh);
@@ -256,7 +257,7 @@ inline constexpr int l3d_usual_facets = 8;
 /// Patches as triangles, as l3d_tessellated makes them.
 struct L3D_PUBLIC l3d_patch_mesh {
     l3d_polygon_mesh mesh; ///< the triangles of all patches
-    /// For each patch, the number of faces up to the patch's last one.
+    /// For each patch, the number of faces of this patch and of all patches before it.
     std::vector<std::size_t> face_ends;
 };
 
@@ -265,7 +266,7 @@ struct L3D_PUBLIC l3d_patch_mesh {
 /// have the patch's material and part.
 ///
 /// Patches with a common boundary have the same points on the boundary, since these points depend
-/// on the boundary's control points alone, in either direction. Two patches' points at the same
+/// on the boundary's control points alone, in either direction. Points of two patches at the same
 /// place are one vertex, unless their normals differ, as at a crease. Triangles whose corners
 /// coincide, as at the teapot's knob, are left out.
 /// Expects: n >= 1.

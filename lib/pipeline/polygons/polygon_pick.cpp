@@ -14,8 +14,9 @@ namespace {
 using vector = l3d_camera::vector;
 
 constexpr double epsilon = 0x1p-53;
-/// Bound of the rounding of a coordinate along the ray, as a part of the sum of all terms'
-/// magnitudes. The matrix adds 24 roundings, turning the model 24, products and sums 8.
+/// Bounds the rounding of each coordinate that seen_along_ray computes, as a part of the sum of the
+/// magnitudes of its terms. The matrix adds 24 roundings, turning the model 24, products and sums
+/// 8.
 constexpr double ray_rounding = 64 * epsilon;
 constexpr double world_rounding = 32 * epsilon;
 

@@ -113,9 +113,10 @@ private:
 struct L3D_PUBLIC l3d_polygon_pick {
     std::size_t face = 0; ///< index of the face in the mesh
     std::string part{};   ///< name of the face's part; empty if the face belongs to none
-    std::array<std::uint32_t, 3> corners{}; ///< vertices of the triangle that the ray meets
-    std::array<double, 3> weights{};        ///< weights of the corners, whose mean is the point
-    double weights_error = 0;               ///< error of each weight
+    /// Indices of the vertices of the triangle that the ray meets.
+    std::array<std::uint32_t, 3> corners{};
+    std::array<double, 3> weights{}; ///< weights with which the point is the mean of the corners
+    double weights_error = 0;        ///< error of each weight
 
     l3d_camera::vector point{0.0, 0.0, 0.0}; ///< the point in the world
     double point_error = 0;                  ///< error of the point, in world units
@@ -125,10 +126,11 @@ struct L3D_PUBLIC l3d_polygon_pick {
     l3d_camera::vector normal{0.0, 0.0, 0.0};
     double normal_error = 0; ///< error of the normal, as the length of a difference
 
-    /// All values as text, a line each: name, value and error. Faces and vertices count from 0.
+    /// All values as text. Each line has a value's name, the value, and its error. Faces and
+    /// vertices count from 0.
     std::string text() const;
 
-    /// Face and point in one line of text.
+    /// The text of face and point alone, in one line.
     std::string line() const;
 };
 

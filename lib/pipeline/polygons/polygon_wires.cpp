@@ -33,9 +33,9 @@ std::uint8_t outcode(const clip_planes& planes, const homogeneous& h) {
     return static_cast<std::uint8_t>(code);
 }
 
-/// Clips the line from a to b at plane after plane. Returns false if nothing is left. code_a and
-/// code_b have a bit for each plane that the end is outside of. A plane cuts off at most one end;
-/// the code of the new end is computed again.
+/// Clips the line from a to b at plane after plane. Returns false if nothing is left. `code_a` has
+/// a bit for each plane that a is outside of, and `code_b` likewise for b. A plane cuts off at most
+/// one end; the new end's code is computed again.
 /// Source:  Cohen and Sutherland, in Newman, Sproull: Principles of Interactive Computer Graphics.
 bool clip(const clip_planes& planes, homogeneous& a, homogeneous& b, unsigned code_a,
           unsigned code_b) {

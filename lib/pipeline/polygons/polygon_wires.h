@@ -32,7 +32,7 @@ private:
 
     struct place {
         double x, y, d, w;
-        std::uint8_t outside; ///< a bit for each clipping plane that the vertex is beyond
+        std::uint8_t outside; ///< bit k is set if the vertex is beyond clipping plane k
     };
     std::vector<place> places_;
     std::vector<std::uint8_t> seen_; ///< for each triangle: 1 if the triangle is not culled

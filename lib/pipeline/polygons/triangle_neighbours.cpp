@@ -83,8 +83,8 @@ bool triangle_neighbours::face_outward() const {
     return true;
 }
 
-/// Finds neighbours by the names of sides' ends: vertices with the same name count as one. Returns
-/// whether each side has a neighbour.
+/// Finds neighbours by the names of sides' ends. Vertices with the same name count as one vertex.
+/// Returns whether each side has a neighbour.
 bool triangle_neighbours::match(std::span<const std::uint32_t> names) {
     const auto triangles = model_.triangles();
     across_.assign(triangles.size(), {none, none, none});

@@ -17,13 +17,13 @@ namespace l3d_detail {
 ///
 /// It first compares vertices by their indices. If any side has no neighbour then, it compares
 /// vertices by their places instead. A triangle with two equal corners has no area and gets no
-/// neighbours: the triangles on both sides of it become neighbours of each other.
-/// Cost: 12 bytes per triangle, and linear time for another model than in the last call.
+/// neighbours. The triangles on its two sides become neighbours of each other instead.
+/// Cost: 12 bytes per triangle, and linear time if the model is not that of the last call.
 class triangle_neighbours {
 public:
-    /// Stands for no neighbour: no other triangle has the side, or the other triangle's corners go
-    /// round in the other direction. Where more than two triangles meet at a side, the first two
-    /// may be neighbours, and the others have none.
+    /// Stands for no neighbour across a side. Either no other triangle has the side, or the corners
+    /// of the triangle beyond it go round in the opposite direction. Where more than two triangles
+    /// meet at a side, the first two may be neighbours, and the remaining ones have none.
     static constexpr std::uint32_t none = ~std::uint32_t{0};
 
     /// Finds the neighbours of a model's triangles, unless the last call was for the same model.
@@ -44,7 +44,8 @@ private:
     bool match(std::span<const std::uint32_t> names);
     bool face_outward() const;
 
-    l3d_polygon_model model_; ///< the last model, kept so that no other model gets its address
+    /// The model of the last call, kept so that no other model gets its address.
+    l3d_polygon_model model_;
     std::vector<std::array<std::uint32_t, 3>> across_;
     bool are_closed_ = false;
 };

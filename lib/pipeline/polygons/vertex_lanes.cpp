@@ -23,7 +23,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using some_floats = hn::Rebind<float, eight_doubles>;
 using some_integers = hn::Rebind<std::int32_t, eight_doubles>;
 
-/// One row of a matrix, with each of its numbers in all lanes of a vector.
+/// One row of a matrix. Each number of the row fills all lanes of a vector.
 struct lane_row {
     number x, y, z;
 
@@ -51,7 +51,7 @@ HWY_INLINE hn::Vec<some_integers> rounded_lanes(number x) {
     return hn::DemoteTo(some_integers(), hn::Add(x.v, hn::CopySign(half, x.v)));
 }
 
-/// Places vertices in the picture, one vector of them at a time.
+/// Places vertices in the picture, as many at a time as a vector has lanes.
 class vertex_placer {
 public:
     HWY_INLINE explicit vertex_placer(const vertex_placing& how)
@@ -182,7 +182,7 @@ public:
     }
 
     /// Compares a triangle's box with the window. The first two lanes are columns and rows. The
-    /// third is inv_w, which is ordered like its bits.
+    /// third lane is inv_w, which is ordered like its bits.
     HWY_INLINE box_place of(const std::int32_t* a, const std::int32_t* b,
                             const std::int32_t* c) const {
         const quad_integers d;

@@ -28,10 +28,11 @@ struct placed_vertices {
     using normal = std::array<float, 4>;
 
     std::vector<place> places;
-    std::vector<normal> normals; ///< one for each place; unused if corners have other normals
+    /// A normal for each place; unused if corners do not have the vertices' normals.
+    std::vector<normal> normals;
 };
 
-/// The mapping from places in the model to places in the picture.
+/// The values by which vertices are placed in the picture.
 struct vertex_placing {
     const l3d_polygon_view& view;
     const l3d_dice_view& window;
@@ -57,7 +58,7 @@ struct triangle_choice {
 
 /// The triangles that were chosen, in the model's order.
 struct chosen_triangles {
-    /// Most triangles: 2 KB, less than the nearest cache holds.
+    /// The largest number of triangles. They take 2 KB, less than the nearest cache holds.
     static constexpr std::size_t room = 256;
     /// The sign bit of a float: marks a triangle that is seen from behind.
     static constexpr std::uint32_t from_behind = std::uint32_t{1} << 31;

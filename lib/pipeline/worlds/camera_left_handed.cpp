@@ -9,7 +9,7 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 
-/// Mirrors a vector of the left-handed world into the right-handed one.
+/// Mirrors a vector of the left-handed world into the right-handed world.
 template <class T> l3d_camera::vector mirrored(const l3d_vector<T, 3>& v) {
     return {l3d_to_double(v[0]), l3d_to_double(v[1]), -l3d_to_double(v[2])};
 }

@@ -33,7 +33,7 @@ public:
     l3d_moveable() = default;
     /// Copies the place, the axes and the motion.
     l3d_moveable(const l3d_moveable&) = default;
-    /// Copies place, axes and motion of the other object.
+    /// Takes the place, axes and motion of another object.
     l3d_moveable& operator=(const l3d_moveable&) = default;
     virtual ~l3d_moveable() = default;
 
@@ -43,7 +43,7 @@ public:
         double right = 0, up = 0, forward = 0;
     };
 
-    point place = point::of(50, 5, 50); ///< its place in the world, in world units
+    point place = point::of(50, 5, 50); ///< the thing's place in the world, in world units
 
     /// The speed along each axis. Units: world units per second.
     by_axis velocity;
@@ -59,9 +59,9 @@ public:
     /// The axis that points forward, a unit vector in the world.
     const vector& forward() const { return forward_; }
 
-    /// Adds the product of `times` and `thrust` to the velocity along each axis. A press of a key
-    /// has +1 or -1 for one axis, and 0 for the others. A velocity of 90 units per update of the
-    /// book, or more, is not increased further.
+    /// Adds the product of `times` and `thrust` to the velocity along each axis. For a press of a
+    /// key, `times` is +1 or -1 for one axis, and 0 for the two other axes. A velocity of 90 units
+    /// per update of the book, or more, is not increased further.
     void push(const by_axis& times);
     /// Adds to the spin about each axis `times` times 5 degrees per update of the book. A spin of
     /// 95 degrees per update, or more, is not increased further.
@@ -81,14 +81,15 @@ public:
 
     /// Turns the axes so that forward() points from the place to `target`; `up` means the same as
     /// for set_axes().
-    /// Errors: returns false, and changes nothing, if a direction is zero or both lie on one line.
+    /// Errors: returns false, and changes nothing, if one of the two directions is zero, or if both
+    ///         lie on one line.
     bool look_at(const point& target, const vector& up = point::of(0, 1, 0).from_origin) {
         return set_axes(target - place, up);
     }
 
     /// Transforms the place and the axes by a matrix.
-    /// Errors: returns false, and changes nothing, if no axes can be made of the transformed ones,
-    ///         as of zeros.
+    /// Errors: returns false, and changes nothing, if the transformed axes do not define three
+    ///         perpendicular ones, such as zero vectors.
     bool transform(const l3d_matrix<T>& m);
 
     /// Flies on for this time. A subclass with another way of motion overrides this function.
@@ -101,7 +102,8 @@ public:
     /// function, too.
     virtual bool moves() const;
 
-    /// The matrix from world coordinates to those along the three axes, with the place as origin.
+    /// The matrix from world coordinates to coordinates along the three axes, with the place as
+    /// origin.
     l3d_matrix<T> viewing_transform() const;
     /// The inverse of viewing_transform(): the matrix from coordinates along the three axes, with
     /// the place as origin, to world coordinates.
@@ -120,8 +122,8 @@ private:
 /// The book's term for a field of view: the distance from the eye to the picture, divided by the
 /// picture's width. This is half the cotangent of half the angle. Units: degrees.
 L3D_PUBLIC double l3d_fov_term(double degrees);
-/// The angle of a field of view from the book's term for it: the inverse of l3d_fov_term. Units:
-/// degrees.
+/// The angle of a field of view for which the book has this term: the inverse of l3d_fov_term.
+/// Units: degrees.
 L3D_PUBLIC double l3d_fov_degrees(double term);
 
 /// The camera of the book's programs: a perspective camera that flies in a left-handed world. At

@@ -7,7 +7,7 @@
 
 namespace {
 
-/// The shares of velocity and of spin that damping leaves after one update of the book.
+/// Damping leaves these shares of velocity and of spin after one update of the book.
 constexpr double kept_velocity = 0.95;
 constexpr double kept_spin = 0.85;
 
@@ -21,8 +21,8 @@ constexpr double twist_step = 5 * l3d_book_rate;
 constexpr double largest_velocity = 90 * l3d_book_rate;
 constexpr double largest_spin = 95 * l3d_book_rate;
 
-/// Motion slower than this counts as rest. The way that is left out is below 0.01 / 60 * 19 =
-/// 0.0032 units, or 0.05 / 60 * 5.7 = 0.0048 degrees.
+/// Motion slower than this counts as rest. The motion that is left out is shorter than 0.01 / 60 *
+/// 19 = 0.0032 units, or 0.05 / 60 * 5.7 = 0.0048 degrees.
 constexpr double slowest_velocity = 0.01;
 constexpr double slowest_spin = 0.05;
 
@@ -35,7 +35,7 @@ void add_up_to(double& velocity, double step, double limit) {
         velocity += step;
 }
 
-/// The time in which an undamped body goes as far as a damped one goes in `seconds`. Each update
+/// The time in which an undamped body goes as far as a damped body goes in `seconds`. Each update
 /// keeps the part k of the velocity, then moves. So n updates move it by v (k + k^2 + ... + k^n) =
 /// v k (1 - k^n) / (1 - k).
 double effective_time(double kept, double seconds) {
@@ -111,7 +111,7 @@ template <class T> bool l3d_moveable<T>::transform(const l3d_matrix<T>& m) {
 }
 
 /// Makes the axes perpendicular again, and of length 1, by two cross products and two divisions.
-/// The axis to the right follows from the two others.
+/// The axis to the right follows from the two other axes.
 template <class T> void l3d_moveable<T>::straighten() {
     forward_ = l3d_normalized(forward_);
     right_ = l3d_normalized(l3d_cross(up_, forward_));

@@ -19,8 +19,8 @@
 
 class l3d_object;
 
-/// A plug-in: what an object does from frame to frame, if this comes from outside the object's
-/// class.
+/// A plug-in: the behaviour of an object from frame to frame, if this behaviour comes from outside
+/// the object's class.
 class L3D_PUBLIC l3d_object_behaviour {
 public:
     l3d_object_behaviour() = default;
@@ -31,8 +31,8 @@ public:
     /// Lets time pass for `object`, which has this behaviour. Units: seconds.
     void update(l3d_object& object, double seconds) { do_update(object, seconds); }
 
-    /// Makes a behaviour of the same kind, with a state of its own, for `for_copy`, a copy of the
-    /// object.
+    /// Makes a behaviour of the same kind, with a state of its own. `for_copy` is the copy of the
+    /// object that gets this behaviour.
     /// Errors:  null if the behaviour cannot be copied.
     std::unique_ptr<l3d_object_behaviour> clone(l3d_object& for_copy) const {
         return do_clone(for_copy);
@@ -45,9 +45,10 @@ private:
 
 /// A thing in a world: its polygons, its placement, and its behaviour from frame to frame.
 ///
-/// The polygons themselves are never transformed: every frame starts from them, so rounding deforms
-/// nothing. The placement is a list of matrices, the first one applied first; their product is
-/// updated automatically. The behaviour comes from a subclass, or from a plug-in.
+/// The polygons themselves are never changed: every frame transforms a copy, so rounding deforms
+/// nothing. The placement is a list of matrices, and the first matrix is applied first. The product
+/// of the matrices is updated automatically. The behaviour comes from a subclass, or from a
+/// plug-in.
 /// Shape: faces as in l3d_polygon_mesh; a world's axes are left-handed.
 class L3D_PUBLIC l3d_object {
 public:
@@ -58,14 +59,14 @@ public:
     /// Makes an object of these polygons. Expects: mesh.is_valid().
     explicit l3d_object(l3d_polygon_mesh mesh) { set_mesh(std::move(mesh)); }
     l3d_object& operator=(const l3d_object&) = delete;
-    /// Objects that hung from this one have no parent afterwards: their own matrices alone place
-    /// them.
+    /// Objects that hung from this one have no parent afterwards. From then on, only their own
+    /// matrices place these objects.
     virtual ~l3d_object();
 
     std::string name; ///< the object's name for messages; several objects may have the same name
 
-    /// Replaces the object's polygons, and the pictures on them (l3d_read_textures). Pictures are
-    /// seen only if the world is drawn by depth. Expects: mesh.is_valid().
+    /// Replaces the object's polygons, and the pictures on the polygons (l3d_read_textures).
+    /// Pictures are seen only if the world is drawn by depth. Expects: mesh.is_valid().
     void set_mesh(l3d_polygon_mesh mesh,
                   std::vector<std::shared_ptr<const l3d_texture>> textures = {});
     /// The polygons, in the object's own coordinates.
@@ -81,20 +82,20 @@ public:
     /// Sets the placement's matrix with this index. Matrices of lesser index that were never set
     /// are the identity.
     void set_transform(std::size_t index, const l3d_matrix<real>& m);
-    /// The matrices of the placement, the first one applied first.
+    /// The matrices of the placement. The first matrix is applied first.
     std::span<const l3d_matrix<real>> transforms() const { return transforms_; }
 
     /// The product of the placement's matrices: from the object's own coordinates to its parent's,
     /// or to the world's if the object has no parent.
     const l3d_matrix<real>& modeling_transform() const;
 
-    /// Hangs the object to another one, its parent, whose placement then moves this object as well.
-    /// Null makes the object stand in the world without a parent.
+    /// Hangs this object to another object, its parent. From then on, the parent's placement moves
+    /// this object as well. Null makes the object stand in the world without a parent.
     /// Errors: returns false, and changes nothing, if the parent is the object itself or hangs from
-    ///         it.
+    ///         the object.
     /// Lives:  borrows the parent. When the parent is destroyed, the object has no parent any more.
     bool set_parent(l3d_object* parent);
-    /// The object that this one hangs from; null if this one stands in the world.
+    /// The object that this object hangs from; null if this object stands in the world.
     l3d_object* parent() const { return parent_; }
 
     /// The matrix from the object's own coordinates to the world's, with the matrices of all its
@@ -129,7 +130,7 @@ private:
     std::vector<l3d_matrix<real>> transforms_;
     mutable l3d_matrix<real> product_ = l3d_identity<real>();
     mutable bool product_is_old_ = false;
-    /// Model(), made of the mesh once it is needed.
+    /// The result of model(), made of the mesh when it is first needed.
     mutable std::optional<l3d_polygon_model> model_;
     l3d_object* parent_ = nullptr;
     std::vector<l3d_object*> children_;

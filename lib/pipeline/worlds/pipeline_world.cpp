@@ -9,15 +9,15 @@
 
 namespace {
 
-/// The step by which the key v changes the thrust. After the largest thrust, the least one follows:
-/// 0.2, 1.2, 2.2, 0.2 in units per update of the book.
+/// The step by which the key v changes the thrust. After the largest thrust, the least thrust
+/// follows: 0.2, 1.2, 2.2, 0.2 in units per update of the book.
 constexpr double thrust_step = 1 * l3d_book_rate;
 constexpr double largest_thrust = 3 * l3d_book_rate;
 
 constexpr double fov_step = 0.1;
 constexpr double least_fov = 0.05; // 169 degrees
 
-/// The number of frames whose mean the frame rate is.
+/// The frame rate is the mean over this number of frames.
 constexpr int frames_of_mean = 64;
 
 l3d_draw_order after(l3d_draw_order order) {

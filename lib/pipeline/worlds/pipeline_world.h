@@ -21,11 +21,12 @@ L3D_PUBLIC std::vector<l3d_caption_row> l3d_world_keys();
 /// Shows a world and lets time pass in it; the user flies through the world by keys and mouse.
 ///
 /// If the world's order is `by_depth`, a surface rasterizer of the canvas's factory fills the
-/// polygons. It has as many threads as the world's `surfaces` ask for when the first such frame is
-/// drawn. If the user stops the world, it is frozen, and the camera can still fly.
+/// polygons. The rasterizer has as many threads as the world's settings `surfaces` ask for when the
+/// first frame is drawn by depth. If the user stops the world, it is frozen, and the camera can
+/// still fly.
 class L3D_PUBLIC l3d_pipeline_world : public l3d_lesson {
 public:
-    /// A function that makes a world for pictures of a size.
+    /// A function that makes a world for pictures of the given size.
     using maker = std::function<std::unique_ptr<l3d_world>(l3d_size)>;
 
     /// Shows this world on this canvas. The user cannot start the world again. Errors: as
@@ -42,7 +43,7 @@ public:
     void key_event(int key) override;
     void resize_event(l3d_size size) override;
     bool skip_event() override { return true; }
-    /// Whether the world is stopped and the camera stands still. A subclass in which other things
+    /// Whether the world is stopped and the camera stands still. A subclass in which further things
     /// move overrides this function.
     bool is_at_rest() const override { return world_->frozen && !world_->camera.moves(); }
     std::string message() const override;

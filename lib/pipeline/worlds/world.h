@@ -21,18 +21,19 @@
 /// The order in which polygons are drawn.
 enum class L3D_PUBLIC l3d_draw_order {
     as_added, ///< in the order of addition: later polygons cover earlier ones
-    /// From far to near, by the mean distance of a polygon's corners; equally far ones as added.
+    /// From far to near, by the mean distance of a polygon's corners. Polygons that are equally far
+    /// are drawn in the order of addition.
     far_first,
     by_depth, ///< in any order: each pixel shows the polygon that is nearest there
 };
 
 /// Transforms, clips and projects the polygons of a world's objects, and holds them for one frame,
-/// to draw them in an order.
+/// to draw them in a given order (l3d_draw_order).
 ///
 /// Each vertex of an object is transformed once, however many polygons share it. Polygons are cut
 /// at near_z, and far outside the picture. Polygons wholly beyond far_z are left out.
-/// Cost:   time linear in vertices and polygons, apart from sorting. The memory is that of the
-///         frame with the most polygons so far, at most 2^32.
+/// Cost:   time linear in vertices and polygons, apart from sorting. Memory is kept for as many
+///         polygons as any frame had so far, at most 2^32.
 /// Source: the order of the steps is that of l3d_world::draw_all in the book.
 class L3D_PUBLIC l3d_facet_list {
 public:
@@ -47,7 +48,8 @@ public:
     /// transformed.
     std::size_t add(const l3d_object& object);
 
-    /// The number of polygons that were added since begin(): those that may be seen.
+    /// The number of polygons that were added since begin(). Polygons that cannot be seen do not
+    /// count.
     std::size_t polygons() const { return polygons_.size(); }
 
     /// Draws the polygons added since begin(), each in its own colour. The order `by_depth` is
@@ -72,13 +74,14 @@ private:
     l3d_camera_left_handed<real> camera_{l3d_size{1, 1}};
     l3d_size size_{1, 1};
     l3d_matrix<real> viewing_ = l3d_identity<real>();
-    /// Vertices of one object, in the camera's coordinates; those that cuts make follow.
+    /// Vertices of one object in the camera's coordinates, followed by the vertices that cuts make.
     std::vector<l3d_point<real>> points_;
     std::vector<std::uint32_t> clipped_, before_; ///< corners of the polygon that is being clipped
     std::vector<l3d_point_2d> corners_;           ///< corners of all polygons
     std::vector<polygon> polygons_;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>
-        order_; ///< for each polygon, a key that falls as depth rises, and its index
+    /// For each polygon, a sort key and the polygon's index. Keys fall as depth rises. In the order
+    /// as_added, all keys are 0.
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> order_;
 };
 
 class l3d_world_surfaces;
@@ -127,8 +130,8 @@ public:
     /// Whether objects stand still, so that only the camera moves.
     bool frozen = false;
 
-    /// Puts an object into the world, after the others. This is allowed at any time: an object that
-    /// is added during an update takes part in the next one. Expects: not null.
+    /// Puts an object into the world, as the last of its objects. This is allowed at any time: an
+    /// object that is added during an update takes part in the next update. Expects: not null.
     /// Returns: the object.
     l3d_object& add(std::unique_ptr<l3d_object> object);
 
@@ -146,7 +149,7 @@ public:
     virtual void update_all(double seconds);
 
     /// Draws all objects that the camera sees. In the order by_depth, the background of `surfaces`
-    /// is drawn first; in other orders, objects are drawn over the old picture.
+    /// is drawn first; in the two other orders, objects are drawn over the old picture.
     /// Returns: the number of polygons drawn; in the order by_depth, the number of triangles drawn.
     virtual std::size_t draw_all(const l3d_world_target& target);
 

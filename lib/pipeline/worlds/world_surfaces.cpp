@@ -14,8 +14,8 @@ namespace {
 
 using vector = l3d_vector<double, 3>;
 
-/// The most triangles of a small object. A larger object takes some tenths of a millisecond or
-/// more, so all threads place it together.
+/// The largest number of triangles of a small object. A larger object takes some tenths of a
+/// millisecond or more, so all threads place it together.
 constexpr std::size_t large = 4096;
 
 l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
@@ -26,7 +26,7 @@ l3d_matrix<double> in_double(const l3d_matrix<l3d_real>& m) {
     return result;
 }
 
-/// Whether a placement keeps lengths and angles, up to 2^-16. Products of rotations in floats are
+/// Whether a placement keeps lengths and angles, up to 2^-16. A product of rotations in floats is
 /// off by some 2^-23 for each factor. Errors below 2^-16 do not show in shades.
 bool is_rigid(const l3d_matrix<double>& placement) {
     for (int i = 0; i < 3; ++i)
@@ -191,7 +191,7 @@ bool l3d_world_surfaces::place(const frame_input& in, const l3d_object& object, 
 }
 
 /// Gathers the materials of all objects that may be seen. An object without materials gets a white
-/// one, unless no object has materials.
+/// material, unless no object has materials.
 void l3d_world_surfaces::gather_materials(const l3d_polygon_settings& settings) {
     materials_.clear();
     const bool all_plain = !settings.material && std::ranges::all_of(seen_, [](const placed* p) {

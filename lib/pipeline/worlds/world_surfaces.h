@@ -21,7 +21,7 @@
 /// that its placement scales or shears, a model of the resulting shape is made, so that its normals
 /// are right.
 /// Cost:    linear in the triangles of objects that may be seen. One thread places a small object;
-///          all threads together place a large one.
+///          all threads together place a large object.
 class l3d_world_surfaces {
 public:
     /// Draws a frame. Returns: the number of triangles drawn, or of lines for a wireframe.
@@ -63,13 +63,14 @@ private:
     std::size_t draw_wires(const frame_input& in, const l3d_world_target& target);
     std::size_t fill(const frame_input& in, const l3d_world_target& target);
 
-    std::vector<std::unique_ptr<placed>> placed_; ///< one for each object, in the objects' order
-    std::vector<placed*> seen_;                   ///< the placed objects that this frame may show
+    /// The placed objects, in the order of the world's objects.
+    std::vector<std::unique_ptr<placed>> placed_;
+    std::vector<placed*> seen_; ///< the placed objects that this frame may show
     std::vector<l3d_material> materials_;
     l3d_face_paints paints_;
     std::vector<const l3d_surface_part*> parts_;
     std::vector<l3d_painter_triangle> triangles_, of_object_; ///< triangles, for hidden lines
-    /// For each thread, workers of that one thread, for small objects.
+    /// For each thread, an l3d_workers of that thread alone, to place small objects.
     std::vector<std::unique_ptr<l3d_workers>> alone_;
     l3d_depth_buffer depth_;
 };

@@ -67,8 +67,8 @@ cycle_cutter::fragment cycle_cutter::cut_side(const fragment& of, const fragment
 }
 
 /// Cuts fragments that go through each other, only where they meet. If too many pairs go through
-/// each other, it does nothing and returns false: cuts would make more pieces than dividing the set
-/// does.
+/// each other, it does nothing and returns false. In this case, cuts would make more pieces than
+/// dividing the set.
 bool cycle_cutter::cut_where_they_meet(fragments& set) {
     std::vector<std::vector<std::uint32_t>> cutters(set.size());
     std::size_t crossings = 0;
@@ -100,8 +100,8 @@ bool cycle_cutter::cut_where_they_meet(fragments& set) {
     return true;
 }
 
-/// Puts the strongly connected components of a set on the list of tasks. The component in front of
-/// all others comes last.
+/// Adds the strongly connected components of a set to the list of tasks. The component in front of
+/// all other components comes last.
 void cycle_cutter::arrange(fragments&& set) {
     std::vector<std::vector<order_node>> needs(set.size());
     std::vector<l3d_sort_item> nodes;
@@ -129,7 +129,8 @@ void cycle_cutter::arrange(fragments&& set) {
 }
 
 /// Chooses the member whose plane divides a set best. Among some eight members, it takes the one
-/// whose plane cuts fewest other members and divides them most equally. Returns the member's index.
+/// whose plane cuts the fewest members and divides the set most equally. Returns the member's
+/// index.
 std::size_t cycle_cutter::best_splitter(const fragments& set) const {
     constexpr std::size_t tried = 8;
     constexpr long price_of_cut = 4; // a cut costs as much as halves that differ by so many members

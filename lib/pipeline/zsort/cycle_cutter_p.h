@@ -17,11 +17,12 @@ namespace l3d_detail {
 /// Finds a painting order for a knot: a set of triangles that have no right painting order unless
 /// some triangles are cut.
 ///
-/// First, members of the knot that go through each other are cut at each other's planes, but only
-/// where they meet. Where two surfaces cross, each triangle along the curve gets a cut or two. Then
-/// planes of members divide all pieces of the cycles that are left, and of sets in which nearly all
-/// members cross. Pieces behind a plane are painted first, pieces in front of it last. The division
-/// always ends, since the same plane never divides a piece again.
+/// First, members that go through each other are cut at each other's planes, but only where they
+/// meet. Where two surfaces cross, each triangle along the curve gets a cut or two. This step is
+/// left out if more pairs go through each other than three times the number of members. Then each
+/// set without an order is divided by the plane of one of its members. Pieces behind the plane are
+/// painted first, pieces in front of it last. The division always ends, since the same plane never
+/// divides a piece again.
 class cycle_cutter {
 public:
     /// The most members of a knot that is not searched for hidden members. In such a small knot,
@@ -74,7 +75,8 @@ private:
         fragments set;
         bool cyclic; ///< whether it is known that the set has no order
     };
-    /// Sets to be ordered; the last one is in front of all others, and comes next.
+    /// Sets that are still to be ordered. The last set is in front of all other sets, and is
+    /// ordered next.
     std::vector<task> tasks_;
     painter_cover cover_; ///< pixels that later pieces cover, for a large knot
     std::size_t most_without_search_;

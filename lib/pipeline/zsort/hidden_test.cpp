@@ -44,8 +44,8 @@ void hidden_test::look(std::span<const painter_entry> members, const painter_pai
     }
 }
 
-/// Whether the sort is right in a tile: whether the member that it paints last in each cell is in
-/// front of the others there.
+/// Whether the sort is right in a tile. It is right if, in each cell, the member that is painted
+/// last is in front of all other members of the cell.
 bool hidden_test::is_sort_right(std::span<const painter_entry> members, const painter_pairs& pairs,
                                 found& of) {
     for (std::size_t i = 0; i < members.size(); ++i) {

@@ -18,17 +18,17 @@ namespace l3d_detail {
 /// Finds the triangles (items) that need no place in the painting order, since they are seen wholly
 /// or not at all.
 ///
-/// Items that are seen in all of their pixels share no pixel with each other. So they may be
-/// painted in any order, after all others. Items that are seen nowhere need not be painted. Only
-/// the other items need an order.
+/// Items that are seen in all of their pixels share no pixel with each other. So such items may be
+/// painted in any order, after all other items. Items that are seen nowhere need not be painted.
+/// Only items that are seen in a part of their pixels need an order.
 class hidden_test {
 public:
     /// Forgets the results of find(): each item needs an order again.
     void forget() { parts_.clear(); }
 
     /// Tests the members of all tiles, if each cell of a tile is a pixel. In each pixel it finds
-    /// the item that the sort paints last, and compares the other items with this one. If the sort
-    /// is wrong in a tile, all members of the tile need an order.
+    /// the item that the sort paints last, and compares all further items of the pixel with this
+    /// item. If the sort is wrong in a tile, all members of the tile need an order.
     /// Expects: the numbers of all items are less than `numbers`.
     /// Returns: the number of pairs that were compared.
     std::int64_t find(const painter_tiles& tiles, const painter_pairs& pairs, std::size_t numbers,
@@ -45,7 +45,8 @@ public:
     std::size_t count_whole(std::size_t begin, std::size_t end) const;
 
 private:
-    /// Whether any of an item's pixels is seen, and whether any is hidden: 1 or 0.
+    /// Whether any pixel of an item is seen, and whether any pixel is hidden. 1 stands for yes, 0
+    /// for no.
     struct parts {
         std::uint8_t seen = 0, hidden = 0;
     };

@@ -14,7 +14,7 @@
 namespace l3d_detail {
 
 /// A thing that is put into an order, such as a triangle: its sort key in the upper 32 bits, its
-/// number in the lower ones.
+/// number in the lower 32 bits.
 ///
 /// Sorted nodes stand in the order of these integers. So two nodes can be compared without a table
 /// of their places in the sorted list.
@@ -27,9 +27,9 @@ constexpr std::uint32_t number_of(order_node node) {
     return static_cast<std::uint32_t>(node);
 }
 
-/// Puts nodes into an order in which each comes after the nodes that it needs. Nodes that need each
-/// other in a cycle form one strongly connected component. The graph's edges are computed while it
-/// is walked.
+/// Puts nodes into an order in which each node comes after the nodes that it needs. Nodes that need
+/// each other in a cycle form one strongly connected component. The graph's edges are computed
+/// while it is walked.
 ///
 /// Cost:   linear in nodes and edges; deep graphs take no stack. A node without edges costs a bit
 ///         and a call. Memory is kept for the next walk.
@@ -37,8 +37,8 @@ constexpr std::uint32_t number_of(order_node node) {
 class ordered_components {
 public:
     /// Calls emit(component) for each strongly connected component of nodes, after the components
-    /// that its nodes need. If several components could be next, the one with the least node comes
-    /// first.
+    /// that its nodes need. If several components could be next, the component with the least node
+    /// comes first.
     ///
     /// `is_free(node)` tells whether a node needs no greater node. `needed(node, in_turn, out)`
     /// adds to `out` the nodes that must come before `node`; it may leave out nodes that were
@@ -74,7 +74,7 @@ private:
 
     struct mark {
         std::uint32_t index; ///< number of nodes that were seen before this one
-        std::uint32_t low;   ///< least index of the open nodes that this one is known to reach
+        std::uint32_t low;   ///< least index of the open nodes that this node is known to reach
     };
 
     struct call {
@@ -133,7 +133,7 @@ private:
     std::vector<mark> marks_; ///< marks of the nodes that were seen, by number
     std::vector<bool> is_seen_;
     std::vector<call> calls_;
-    /// Edges of all nodes in calls_; those of the last node stand at the end.
+    /// Edges of all nodes in calls_. The edges of the last node stand at the end.
     std::vector<order_node> edges_;
     std::vector<order_node> open_; ///< nodes that were seen and are not in a component yet
     order_node turn_ = 0; ///< the node from which the walk goes on; all lesser nodes were emitted

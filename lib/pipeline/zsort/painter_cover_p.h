@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// The pixels in which the pieces added so far will be painted. Another piece that is painted
-/// before them, and only in these pixels, is hidden and can be left out. The painter's own code
+/// The pixels in which the pieces added so far will be painted. A new piece is painted before these
+/// pieces. If it covers only these pixels, it is hidden and can be left out. The painter's own code
 /// finds the pixels, so the picture stays the same.
 ///
 /// Lives: borrows the arguments of begin().
@@ -24,7 +24,8 @@ public:
 
     void add(const l3d_painter_piece& piece);
 
-    /// Whether added pieces cover each pixel of `piece`, and of its sides drawn as lines.
+    /// Whether added pieces cover all pixels of `piece`, and all pixels of the lines that are drawn
+    /// at its sides.
     bool hides(const l3d_painter_piece& piece);
 
 private:

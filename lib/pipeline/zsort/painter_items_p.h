@@ -34,7 +34,7 @@ struct painter_item {
     }
 };
 
-/// The items of a list of triangles, in the order of the list.
+/// The items that are made of a list of triangles, in the list's order.
 ///
 /// Shape: the list is divided into chunks. The items of a chunk begin at the index of the chunk's
 ///        first triangle, so there are gaps between the items of chunks. An item's number is its

@@ -19,8 +19,8 @@ namespace {
 
 using namespace l3d_detail;
 
-/// A need that the sort does not meet: an item that must be painted after another one, although the
-/// sort puts it before.
+/// A need that the sort does not meet: one item must be painted after a second item, although the
+/// sort puts the first before the second.
 struct late_need {
     order_node item, before;
 
@@ -33,9 +33,9 @@ struct row_of_needs {
     std::int64_t pairs = 0; ///< number of pairs of items that were compared
 };
 
-/// The members of a tile in sorted order. It copies the members' cells and depths, which decide
-/// most often whether two members are compared. Each worker has one such object, and writes to it
-/// at each member.
+/// The members of a tile in sorted order. The object copies the members' cells and depths, which
+/// decide most often whether two members are compared. Each worker has an object of its own, in
+/// cache lines of its own, and writes to it at each member.
 class alignas(128) sorted_members {
 public:
     void sort(std::span<const painter_entry> members) {
@@ -70,7 +70,8 @@ private:
     static std::uint64_t bits_of(float number) { return std::bit_cast<std::uint32_t>(number); }
 
     std::span<const painter_entry> members_;
-    /// For each member, depth bits of its farthest corner, then its index.
+    /// A number for each member. Its upper half is the depth bits of the member's farthest corner;
+    /// its lower half is the member's index.
     std::vector<std::uint64_t> order_;
     std::vector<std::uint64_t> cells_; ///< cells of the members, in the order of order_
 };
@@ -78,8 +79,8 @@ private:
 } // namespace
 
 struct l3d_painter_order::work_space {
-    /// The number of items between the present item and the one that is prefetched. Sorted items
-    /// lie anywhere in memory, and fetching one takes some hundred cycles.
+    /// The number of items between the present item and the item that is prefetched. Sorted items
+    /// lie anywhere in memory, and fetching an item takes some hundred cycles.
     static constexpr std::size_t ahead = 16;
     /// The number of pieces that a worker takes at a time, which costs some 10^4 cycles at least.
     static constexpr std::size_t chunk_pieces = 4096;
@@ -108,9 +109,9 @@ struct l3d_painter_order::work_space {
     cycle_cutter knot;
     std::vector<l3d_painter_piece> ordered; ///< pieces of items that need an order
     std::vector<l3d_painter_cut> cuts;
-    std::vector<std::size_t>
-        /// For each chunk, the index of its first wholly seen piece; and the end of all.
-        chunk_begins;
+    /// For each chunk, the index of the first piece that is seen wholly. The last entry is the end
+    /// of all pieces.
+    std::vector<std::size_t> chunk_begins;
     /// All pieces, the ordered ones first. The vector never shrinks, since growing it again would
     /// write all new pieces.
     std::vector<l3d_painter_piece> pieces;
@@ -130,8 +131,8 @@ struct l3d_painter_order::work_space {
         l3d_radix_sort(keys, other_keys);
     }
 
-    /// Finds, for each item, the items that it needs although they are sorted after it. One worker
-    /// sorts at the same time.
+    /// Finds, for each item, the needed items that are sorted after the item. One worker sorts at
+    /// the same time.
     void sort_and_find_late() {
         rows.resize(static_cast<std::size_t>(tiles.rows()));
         workers.for_each(1 + tiles.rows(), [&](int task, int worker) {
@@ -168,7 +169,7 @@ struct l3d_painter_order::work_space {
         }
     }
 
-    /// Adds to `out` the items that an item needs among those that are sorted before it and not
+    /// Adds to `out` those items that `node` needs, that are sorted before `node`, and that are not
     /// emitted yet.
     void find_early(order_node node, std::vector<order_node>& out,
                     l3d_painter_order_counts& counts) {
@@ -189,8 +190,8 @@ struct l3d_painter_order::work_space {
         });
     }
 
-    /// Adds to `out` the items that must be painted before an item, since it is in front of them
-    /// somewhere.
+    /// Adds to `out` the items that must be painted before the item `node`, since `node` is
+    /// somewhere in front of each of these items.
     void find_needed(order_node node, bool in_turn, std::vector<order_node>& out,
                      l3d_painter_order_counts& counts) {
         if (!in_turn)

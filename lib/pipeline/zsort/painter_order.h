@@ -16,16 +16,16 @@
 /// Puts triangles into an order in which painting them gives the right picture. It sorts triangles
 /// by their farthest corner, finds where this order is wrong, and mends it.
 ///
-/// Only triangles that meet in the picture need an order: each comes after the triangles that it
-/// partly hides. Some sets of triangles have no such order, since they go through each other or
+/// Only triangles that meet in the picture need an order. A triangle comes after the triangles that
+/// it partly hides. Some sets of triangles have no such order, since they go through each other or
 /// overlap in a circle. Such sets are the strongly connected components of more than one member.
 /// Their members are cut by each other's planes until there is an order. The picture is exact,
 /// except in pixels whose two nearest depths differ by less than 2^-36 of the nearest corner's
 /// depth (painter_tie).
 /// Cost:   sorting is linear. Comparing is linear in the pairs of triangles that lie over each
-///         other within a tile of the picture. For surfaces, this is linear in the triangles. Many
-///         triangles that all go through each other, n of them, may become n^2 pieces if all pieces
-///         are seen; hidden ones are left out. Memory is kept for the next picture.
+///         other within a tile of the picture. For surfaces, this is linear in the triangles. If n
+///         triangles all go through each other, they may become n^2 pieces. Hidden pieces are left
+///         out. Memory is kept for the next picture.
 /// Source: comparisons as in Newell, Newell, Sancha: A solution to the hidden surface problem (ACM
 ///         1972). Cuts as in Fuchs, Kedem, Naylor: On visible surface generation by a priori tree
 ///         structures (SIGGRAPH 1980).
@@ -42,8 +42,8 @@ public:
         /// Whether wrong places are mended; false sorts triangles, and compares none.
         bool resolve = true;
         /// Whether the sides of triangles are drawn as lines. If not, triangles that cover no pixel
-        /// are left out. Triangles that are behind others in all of their pixels may be left out,
-        /// too.
+        /// are left out. Triangles that other triangles hide in all of their pixels may be left
+        /// out, too.
         bool sides = true;
     };
 
@@ -65,7 +65,7 @@ public:
     /// Orders all triangles. Expects: all chunks were noted.
     void finish();
 
-    /// The triangles that were given. Pieces and cuts refer to their indices.
+    /// The triangles that were given. Pieces and cuts refer to triangles by their indices.
     std::span<const l3d_painter_triangle> triangles() const;
 
     /// The pieces of triangles, in the order in which they are to be painted.

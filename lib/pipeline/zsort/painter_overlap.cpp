@@ -53,9 +53,9 @@ void clip(std::span<const picture_point> polygon, const Inside& inside, picture_
     }
 }
 
-/// Finds which of two triangles is in front, by more than `tie`, at the corners of one of the two.
-/// `plane` is the other triangle's plane of depth. `corners_are_first` tells whether `corners` are
-/// those of the first triangle.
+/// Finds which of two triangles is in front, by more than `tie`, at the corners of one of the
+/// triangles. `corners` are these corners, and `plane` is the depth plane of the other triangle.
+/// `corners_are_first` tells whether `corners` belong to the first triangle.
 front_parts front_at_corners(const triangle& corners, const l3d_picture_plane& plane, double tie,
                              bool corners_are_first) {
     front_parts front;
@@ -127,8 +127,8 @@ void keep_side(std::span<const picture_point> region, const l3d_picture_plane& f
         out);
 }
 
-/// Tests corners first: if all corners of one triangle are on one side of the other's plane, this
-/// decides. Otherwise it compares the planes over the triangles' common part.
+/// Tests corners first. If all corners of one triangle are on one side of the other triangle's
+/// plane, this side decides. Otherwise it compares the planes over the triangles' common part.
 front_parts front_of(const triangle& a, const triangle& b) {
     const double tie = tie_of(a, b);
     const l3d_picture_plane plane_a(a), plane_b(b);

@@ -29,15 +29,15 @@ struct front_parts {
     bool mixed() const { return first && second; }
 };
 
-/// The part of a depth by which two triangles' depths must differ to count as different. The depth
-/// is that of a nearest corner: of the two triangles' nearest corners, the farther one. The part is
-/// 2^-12 of the difference that a depth buffer of floats tells apart, and 2^17 times the rounding
-/// of doubles.
+/// Depths of two triangles count as different only if they differ by more than this share of a
+/// reference depth. The reference is the farther one of the two triangles' nearest corners. The
+/// share is 2^-12 of the difference that a depth buffer of floats tells apart, and 2^17 times the
+/// rounding of doubles.
 inline constexpr double painter_tie = 0x1p-36;
 
 /// Whether the insides of two triangles meet, decided exactly. If they do not meet, the triangles
-/// have no pixel in common. This holds since the fill rule treats a pixel's centre on an edge as if
-/// it lay a little to the right and below.
+/// have no pixel in common. The reason is the fill rule, which treats a pixel's centre on an edge
+/// as if the centre lay a little to the right and below.
 bool insides_meet(const std::array<l3d_micro_vertex, 3>& a,
                   const std::array<l3d_micro_vertex, 3>& b);
 
@@ -51,15 +51,16 @@ front_parts front_of(const std::array<l3d_micro_vertex, 3>& a,
 front_parts front_over(std::span<const picture_point> region, const l3d_picture_plane& first,
                        const l3d_picture_plane& second, double tie);
 
-/// Finds the common part of two convex polygons. It gets a margin of 2^-12 sub-pixel around it, so
-/// that rounding loses nothing.
+/// Finds the common part of two convex polygons. This part gets a margin of 2^-12 sub-pixel on all
+/// sides, so that rounding loses nothing.
 ///
 /// Lives:   `out` gets the result; `scratch` is working memory.
 void intersect(std::span<const picture_point> a, std::span<const picture_point> b,
                picture_region& out, picture_region& scratch);
 
-/// Writes to `out` the part of a region where the first plane is in front of the second one or, if
-/// `in_front` is false, behind it. `out` is empty only if there is no such part.
+/// Writes to `out` the part of a region where the first plane is in front of the second plane. If
+/// `in_front` is false, it is the part where the first plane is behind the second. `out` is empty
+/// only if the region has no such part.
 void keep_side(std::span<const picture_point> region, const l3d_picture_plane& first,
                const l3d_picture_plane& second, bool in_front, picture_region& out);
 

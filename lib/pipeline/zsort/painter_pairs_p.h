@@ -19,9 +19,9 @@ class painter_pairs {
 public:
     explicit painter_pairs(const painter_items& items) : items_(items) {}
 
-    /// Whether `item` must be painted after `other`: whether they meet in the picture, and `item`
-    /// is in front of `other` somewhere.
-    /// Expects: two exact entries have a cell in common.
+    /// Whether `item` must be painted after `other`. This is so if both meet in the picture and
+    /// `item` is in front of `other` somewhere.
+    /// Expects: if both entries are exact, they have a cell in common.
     bool needs(const painter_entry& item, const painter_entry& other) const {
         return ((item.is_exact && other.is_exact) || do_meet(item.number, other.number)) &&
                (other.nearest <= item.farthest ||

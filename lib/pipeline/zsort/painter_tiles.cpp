@@ -8,8 +8,8 @@
 
 namespace l3d_detail {
 
-/// The entry of an item in a tile, if its pixels are not known: its cells are those that the item's
-/// box meets.
+/// The entry of an item in a tile, if the pixels of the item are not known. The entry's cells are
+/// the cells that the item's box meets.
 painter_entry painter_tiles::box_entry(const painter_item& item, std::uint32_t number, int column,
                                        int row) const {
     constexpr int side = 1 << cell_bits;
@@ -45,7 +45,7 @@ std::size_t painter_tiles::tiles_of(const painter_item& item) const {
 }
 
 /// Divides the items into one share for each worker. Shares consist of whole chunks, and are as
-/// equal as these allow.
+/// equal as chunks allow.
 void painter_tiles::share_out(const painter_items& items, int workers) {
     shares_.resize(static_cast<std::size_t>(workers));
     std::size_t chunk = 0, count = 0;

@@ -31,8 +31,9 @@ struct painter_entry {
     std::uint16_t begins_before = 0;
     std::uint16_t is_exact = 0; ///< whether the cells are just the pixels that the triangle covers
 
-    /// Whether two triangles may have a pixel in common in this tile, and in no earlier tile. So
-    /// each pair of triangles is found once, except pairs with one exact entry.
+    /// Whether two triangles may have a pixel in common in this tile. Without exact entries, it is
+    /// true only in the first tile in which two triangles meet, so that each pair is found once.
+    /// Pairs with an exact entry may be found in several tiles.
     bool may_meet(const painter_entry& other) const {
         return (cells & other.cells) != 0 && (begins_before & other.begins_before) == 0;
     }
@@ -54,12 +55,12 @@ inline bool are_apart(std::span<const painter_entry> members) {
     return true;
 }
 
-/// Lists, for each tile of the picture, the triangles that reach it, so that only triangles of the
+/// Lists, for each tile of the picture, the triangles that reach the tile. So only triangles of the
 /// same tile need be compared.
 class painter_tiles {
 public:
     /// Puts items into tiles that are about twice as wide as the mean box of an item, and at least
-    /// eight pixels wide. Smaller tiles would list each triangle often; larger ones would list
+    /// eight pixels wide. Smaller tiles would list each triangle often; larger tiles would list
     /// triangles together that do not meet. If sides are not drawn, tiles of 16 or 32 pixels are
     /// made eight pixels wide instead. Then a cell is a pixel, the pixels of most triangles are
     /// known, and most pairs need not be compared.

@@ -61,9 +61,9 @@ void l3d_pipeline_zsort::draw_solid(const scene& what, l3d_polygon_report& repor
 }
 
 /// Fills the depth buffer by the painted triangles, and refines pixels at edges. At the centre of a
-/// pixel, the painting order tells which triangle is in front. Elsewhere in a pixel, depth tells
-/// which triangle is in front; depth also tells how far a triangle is. Returns the number of pixels
-/// at edges.
+/// pixel, the painting order tells which triangle is in front. Elsewhere in a pixel, the depth
+/// buffer tells which triangle is in front. It also tells how far away a triangle is. Returns the
+/// number of pixels at edges.
 std::int64_t l3d_pipeline_zsort::look_at_depth(const scene& what) {
     l3d_surface_rasterizer_sw& depths = stages_->depths;
     depths.count_pixels(false);

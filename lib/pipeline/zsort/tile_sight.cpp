@@ -59,8 +59,8 @@ public:
         return bits;
     }
 
-    /// The farthest depth of all members that are painted last in some cell; infinite if there are
-    /// none.
+    /// The farthest depth of all members that are painted last in some cell; infinite if no cell
+    /// has a member.
     HWY_INLINE float farthest_of_all() const {
         constexpr float none = std::numeric_limits<float>::infinity();
         int_vec least = order_of(none);

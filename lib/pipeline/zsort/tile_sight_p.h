@@ -15,8 +15,8 @@ namespace l3d_detail {
 /// sort. Cells are those of painter_entry.
 struct cell_sight {
     std::uint64_t shown; ///< cells in which this triangle would be painted last
-    /// Cells in which another triangle would be painted last although it is not wholly in front of
-    /// this one: the sort may be wrong there.
+    /// Cells in which the sort may be wrong. There another triangle would be painted last, although
+    /// it is not wholly in front of this triangle.
     std::uint64_t doubtful;
 };
 
@@ -26,7 +26,7 @@ using tile_fronts = std::array<std::int32_t, 64>;
 
 /// Finds the member that the sort paints last in each cell of a tile, and the sight of each member.
 /// Shape:   `of` gets the sight of each member, and has as many elements as there are members.
-/// Expects: members by rising numbers.
+/// Expects: the members stand in the order of rising numbers.
 void find_sight(std::span<const painter_entry> members, tile_fronts& fronts, cell_sight* of);
 
 } // namespace l3d_detail

@@ -33,7 +33,7 @@ std::optional<std::string_view> read_before_color(std::string_view text,
 
 } // namespace
 
-/// Adds the light that a --light describes. The first one replaces the usual light.
+/// Adds the light that one option --light describes. The first --light replaces the usual light.
 void l3d_afd_options::add_light(const std::string& text) {
     std::array<double, 3> direction{};
     const auto rest = read_before_color(text, direction);
@@ -62,8 +62,8 @@ void l3d_afd_options::add_light(const std::string& text) {
     gives_light_ = true;
 }
 
-/// Adds the light that a --point-light describes. Without --light, point lights are the only
-/// lights.
+/// Adds the light that one option --point-light describes. Without --light, point lights are the
+/// only lights.
 void l3d_afd_options::add_point_light(const std::string& text) {
     std::array<double, 4> numbers{};
     const auto rest = read_before_color(text, numbers);

@@ -43,14 +43,14 @@ void check_place(const char* option, const l3d_camera::vector& place,
 }
 
 /// A camera at the same distance from the target, but some 25 degrees above and beside it. From
-/// there, three sides of a box are seen. The teapot's usual view is from a lower place.
+/// this place, three sides of a box are seen. The teapot's usual view is from a lower place.
 l3d_camera seen_from_above(l3d_camera camera) {
     const l3d_camera::vector direction = l3d_upright(camera.up).at(0.5, 0.5, 1);
     camera.eye = camera.target + l3d_normalized(direction) * l3d_length(camera.eye - camera.target);
     return camera;
 }
 
-/// Refuses options that have no effect together with the others.
+/// Refuses options that have no effect together with the other options that were given.
 /// Errors:  l3d_error(usage).
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
     const std::string shade = l3d_shade_names[static_cast<std::size_t>(asked.shade)].first;
@@ -311,8 +311,8 @@ l3d_camera l3d_afd_options::camera() const {
     return result;
 }
 
-/// The camera before --eye and --target change it: the camera of --file-camera, or else the usual
-/// one.
+/// The camera to which --eye and --target are applied: the camera of --file-camera, or else the
+/// usual camera.
 l3d_camera l3d_afd_options::asked_camera() const {
     l3d_camera result = camera_;
     if (!file_camera_.empty()) {

@@ -15,9 +15,9 @@
 #include <string>
 
 /// Adds options for model, accuracy, camera and shading to the command line of a program, and makes
-/// models, cameras and settings of them.
+/// models, cameras and settings of their values.
 ///
-/// Lives:   borrows the l3d_options; these borrow this object until parse() is done.
+/// Lives:   borrows the l3d_options, which borrow this object until parse() is done.
 class L3D_PUBLIC l3d_afd_options {
 public:
     /// Adds the options to `options`.
@@ -27,14 +27,15 @@ public:
 
     /// The camera that --eye, --target and the other options of the view ask for. Values that are
     /// not given come from the camera of --file-camera, or else from teapot_view(), turned so that
-    /// the direction of --up is up.
+    /// the direction of --up points up.
     /// Errors:  l3d_error(usage) that names the option, if the values do not make a camera, or if
-    ///          the file has no camera of the name; l3d_error(bad_input) as file().
+    ///          the file has no camera with the name that --file-camera gives; l3d_error(bad_input)
+    ///          as file().
     l3d_camera camera() const;
 
-    /// The camera of camera() if places_camera(). Otherwise `framed` makes of that camera one that
-    /// shows the model, and --near still sets its near plane. If `framed` changes the camera, the
-    /// model of a file is seen from higher up than the teapot.
+    /// The camera of camera() if places_camera() is true. Otherwise `framed` turns this camera into
+    /// one that shows the model; --near still sets the near plane. If `framed` changes the camera,
+    /// models of files are seen from higher up than the teapot.
     /// Errors:  as camera().
     l3d_camera camera(const std::function<l3d_camera(const l3d_camera&)>& framed) const;
 
@@ -62,7 +63,7 @@ public:
     void lay_picture(l3d_patch_scene& scene) const;
 
     /// Writes the line drawing of a scene that --svg asks for. The camera shows all of the scene,
-    /// unless the user places a camera. Returns whether --svg was given: then the program has
+    /// unless the user places a camera. Returns whether --svg was given. If it was, the program has
     /// nothing more to do. If the drawing is empty, a line on stderr tells why.
     /// Errors: l3d_error(usage) beside --output and --frames; l3d_error(failure) that names the
     ///         file and the system's reason.
@@ -76,7 +77,7 @@ public:
     bool gives_texture() const { return !texture_.empty(); }
 
     /// The NURBS surfaces of a model, for programs that change control points. An exact shape or an
-    /// .obj file has NURBS surfaces of its own; other models get one surface for each patch.
+    /// .obj file has NURBS surfaces of its own; any other model gets one surface for each patch.
     /// Divided into patches, the surfaces give the model again.
     /// Expects: the result of model().
     /// Errors:  l3d_error(bad_input) with file and line.
@@ -105,8 +106,8 @@ public:
     /// The model's name for titles: the file's name without folder and ending, or "Utah teapot".
     std::string model_title() const;
 
-    /// The camera that looks at the teapot unless the user says otherwise. Its other values are the
-    /// defaults of l3d_camera.
+    /// The camera that looks at the teapot unless the user says otherwise. All values except eye
+    /// and target are the defaults of l3d_camera.
     static l3d_camera teapot_view() { return {.eye = {3.2, 3.6, 7.4}, .target = {0.2, 1.3, 0.0}}; }
 
     /// Whether --eye, --target or --file-camera was given.

@@ -42,8 +42,8 @@ std::vector<std::string> l3d_detail::model_names() {
 
 namespace {
 
-/// Loads a model file, which may take long: a terminal shows how far reading is, and Escape stops
-/// it.
+/// Loads a model file. This may take long, so a terminal shows the share of the file that is read,
+/// and Escape stops reading.
 l3d_model_file load_told(const std::string& path, const std::string& name,
                          const l3d_detail::load_watch& watch) {
     using clock = std::chrono::steady_clock;

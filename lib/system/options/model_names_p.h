@@ -24,8 +24,8 @@ using load_watch = std::function<bool(const std::string& file, double share)>;
 ///          folder and its models.
 l3d_model_file load_named_model(const std::string& name, const load_watch& watch = {});
 
-/// The NURBS surfaces of a model that load_named_model can read, if it is an exact shape or an .obj
-/// file of such surfaces. The result is empty for other models.
+/// The NURBS surfaces of a model that load_named_model can read. The result is empty unless the
+/// model is an exact shape or an .obj file of NURBS surfaces.
 /// Errors:  as load_named_model.
 std::vector<l3d_nurbs_surface> load_named_surfaces(const std::string& name);
 

@@ -73,7 +73,8 @@ std::string wrapped(const std::string& text, std::size_t width) {
 /// which would list options a second time.
 class help_formatter : public CLI::Formatter {
     std::string make_positionals(const CLI::App*) const override { return ""; }
-    /// The text of a group of options, with one blank line before it; CLI11 has two.
+    /// The text of a group of options, with one blank line before it; CLI11 itself has two blank
+    /// lines.
     std::string make_group(std::string heading, bool is_positional,
                            std::vector<const CLI::Option*> options) const override {
         const std::string group = Formatter::make_group(heading, is_positional, options);
@@ -84,8 +85,8 @@ class help_formatter : public CLI::Formatter {
     }
 };
 
-/// Adds an option with a number from `least` to `most`. `preset` is the default as text, since
-/// there may be none.
+/// Adds an option with a number from `least` to `most`. `preset` is the default as text, since some
+/// options have no default.
 template <class T, class Value>
 void add_number(CLI::App& app, const std::string& name, Value& value, const std::string& preset,
                 const std::string& help, const std::string& kind, T least, T most) {
@@ -138,7 +139,7 @@ void refuse_what_is_left(const CLI::App& app) {
                         " (see --help)");
 }
 
-/// Opens the file descriptors 0, 1 and 2 on /dev/null if they are closed. They are opened for
+/// Opens the file descriptors 0, 1 and 2 on /dev/null if they are closed. /dev/null is opened for
 /// reading only, so that writing to a closed standard output is still an error.
 void open_standard_streams() {
     for (int descriptor = 0; descriptor < 3; ++descriptor)

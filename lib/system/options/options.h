@@ -29,7 +29,7 @@
 struct L3D_PUBLIC l3d_common_options {
     std::string backend;               ///< back-end's name, "ask" or "auto"; empty if not given
     std::string usual_backend{};       ///< back-end to take if the user names none; empty for any
-    bool no_input = false;             ///< whether the user is never asked
+    bool no_input = false;             ///< whether the user is never asked which back-end to take
     bool list_backends = false;        ///< whether to list the back-ends and end
     bool diagnose = false;             ///< whether to tell what back-ends depend on, and end
     bool verbose = false;              ///< whether to tell which back-end was chosen
@@ -46,7 +46,8 @@ struct L3D_PUBLIC l3d_common_options {
     std::string output; ///< file of the last picture, of every picture, or "-"; empty for none
 };
 
-/// A command line: the program declares its options by add(), and then reads them once by parse().
+/// A command line. The program declares its options by add(), and then reads the command line once
+/// by parse().
 ///
 /// Every add() borrows a variable for the option's value. The variable's present value is the
 /// default, which --help prints; parse() replaces it. `name` is "--long" or "-s,--long".
@@ -72,11 +73,11 @@ public:
     /// Adds an option with a number from `least` to `most`; NaN and trailing text are refused.
     void add(const std::string& name, double& value, const std::string& help, double least,
              double most);
-    /// A whole number from `least` to `most`.
+    /// Adds an option with a whole number from `least` to `most`.
     void add(const std::string& name, int& value, const std::string& help, int least, int most);
 
     /// Adds an option with a whole number. `value` stays empty if the option is not given, since
-    /// the default is found out later, if at all.
+    /// the program finds a default later, or has none.
     void add(const std::string& name, std::optional<int>& value, const std::string& help, int least,
              int most);
 
@@ -95,21 +96,21 @@ public:
 
     /// Adds an option with three finite numbers X,Y,Z.
     void add(const std::string& name, l3d_vector<double, 3>& value, const std::string& help);
-    /// Adds an option that may be given several times. The function `take` gets the text of each in
-    /// turn. If it refuses a text, it throws an l3d_error that names the text. --help prints
-    /// `preset` as the default.
+    /// Adds an option that may be given several times. The function `take` gets the text of each
+    /// option in turn. If `take` refuses a text, it throws an l3d_error that names the text. --help
+    /// prints `preset` as the default.
     void add_each(const std::string& name, const std::string& help, const std::string& kind,
                   const std::string& preset, std::function<void(const std::string&)> take);
 
     /// Adds an option with a background: "gradient", "none", or a colour. A colour is R,G,B of
     /// whole numbers from 0 to 255, #RGB, #RRGGBB or a name of CSS. `value` stays empty if the
-    /// option is not given; `help` says what is drawn then. With "none", written files hold
-    /// transparency.
+    /// option is not given; `help` says which background is drawn then. With "none", written files
+    /// hold transparency.
     void add(const std::string& name, std::optional<l3d_background>& value,
              const std::string& help);
 
     /// Adds an option with three numbers X,Y,Z. `value` stays empty if the option is not given,
-    /// since the default is found out later.
+    /// since the program finds the default later.
     void add(const std::string& name, std::optional<l3d_vector<double, 3>>& value,
              const std::string& help);
 
@@ -129,8 +130,8 @@ public:
 
     /// Reads the command line. Returns false if --help or --version was printed, so that the
     /// program should end with success. Standard streams that are closed are first opened on
-    /// /dev/null. Otherwise a socket would get the number of a standard stream, and with it all
-    /// printed text.
+    /// /dev/null. Otherwise a socket could get the number of a standard stream, and then all
+    /// printed text would go to the socket.
     ///
     /// Errors:  l3d_error(usage) that names the option and the value. It is also thrown if two
     ///          options name the same file, or both name the standard output.
@@ -167,8 +168,8 @@ public:
     /// Sets the back-end that is taken if the user names none.
     void prefer_backend(const std::string& name) { common_.usual_backend = name; }
 
-    /// Sets a function that is called while a model file is read, with the file's name and the
-    /// share that is read, from 0 to 1. If `watch` returns false, reading stops.
+    /// Sets a function that is called while a model file is read. It gets the file's name and the
+    /// share of the file that is read, from 0 to 1. If `watch` returns false, reading stops.
     void watch_loads(std::function<bool(const std::string& file, double share)> watch) {
         load_watch_ = std::move(watch);
     }
@@ -178,7 +179,7 @@ public:
     }
 
     /// The request for a screen, as the options ask for it. The title is the program's name, unless
-    /// the user gives another one.
+    /// the user gives another title.
     l3d_screen_request screen_request() const;
 
     /// The settings for a dispatcher. With --frames, time goes by fixed steps, so that windows and
@@ -238,12 +239,12 @@ void l3d_options::add_choice(const std::string& name, T& value, const std::strin
     add_words(name, help, words, preset, [values, &value](std::size_t i) { value = values[i]; });
 }
 
-/// A row of a table for l3d_refuse: an option that is refused if it was given and would have no
-/// effect.
+/// A row of a table for l3d_refuse: an option, whether it is refused, and why. Options are refused
+/// if they were given and would have no effect.
 struct l3d_refusal {
     const char* option;
     bool is_refused;
-    /// The reason; begins with a small letter, since it follows the option's name and a colon.
+    /// The reason. Its first letter is small, since it follows the option's name and a colon.
     std::string why;
 };
 

@@ -16,13 +16,13 @@ std::string ending_of(const std::string& name);
 /// path that the link leads to, even if no file is there.
 std::filesystem::path place_of(const std::string& name);
 
-/// Whether two names lead to the same file, or both to the standard output. It is false for a
-/// device, such as /dev/null, which several outputs may share.
+/// Whether two names lead to the same file, or both to the standard output. The result is false for
+/// a device, such as /dev/null, since several outputs may share a device.
 bool mean_one_file(const std::string& a, const std::string& b);
 
 /// Checks that the folder of `file` exists. `option` and `name` are the option and its value, for
-/// the message. Call it early: a run of frames should not fail at its end since its folder never
-/// existed.
+/// the message. Call it early: otherwise a long run of frames could fail at its end because of a
+/// missing folder.
 /// Errors:  l3d_error(failure) that names the option, its value and the folder of `file`.
 void check_folder(const std::string& option, const std::string& name, const std::string& file);
 

@@ -163,9 +163,10 @@ l3d_patch_scene l3d_part_options::scene_by_opacity(const l3d_patch_scene& whole)
     return result;
 }
 
-/// Adds an instance to the scene `to`, divided into one instance for each part that --opacity names
-/// and for each opacity of the other materials. If a part is named twice, the last opacity counts.
-/// Parts that the model does not have, such as hidden ones, add nothing.
+/// Divides `whole` by opacity, and adds the results to the scene `to`. Each part that --opacity
+/// names becomes an instance. The rest is divided by the opacities of its materials, as
+/// l3d_patch_scene::add_by_opacity does. If a part is named twice, the last opacity counts. Parts
+/// that the model does not have, such as hidden ones, add nothing.
 void l3d_part_options::add_by_opacity(const l3d_patch_instance& whole, l3d_patch_scene& to) const {
     std::map<std::size_t, double> by_part;
     for (const opacity& o : opacities_)

@@ -21,7 +21,7 @@
 /// Adds options that list, hide and colour the named parts of a model to the command line of a
 /// program.
 ///
-/// Lives: borrowed by the l3d_options until parse() is done.
+/// Lives: the l3d_options borrow this object until parse() is done.
 class L3D_PUBLIC l3d_part_options {
 public:
     /// Adds the options to `options`.
@@ -33,18 +33,18 @@ public:
     bool lists() const { return lists_; }
 
     /// Prints a line for each part: its name, and the number of its patches or faces, such as "8
-    /// patches". `things` is the word for these.
+    /// patches". `things` is the word for patches or faces.
     /// Errors: l3d_error(failure) if the standard output cannot be written to.
     static void list(const l3d_parts& parts, std::string_view things);
 
     /// Applies --color, --hide, --show-only and --opacity to a scene. Each part that --opacity
-    /// names becomes an instance of its own. The other patches are divided into one instance for
-    /// each opacity that their materials have.
+    /// names becomes an instance of its own. The remaining patches become one instance for each
+    /// opacity of their materials (l3d_patch_scene::add_by_opacity).
     /// Errors:  as applied().
     l3d_patch_scene scene(const l3d_patch_scene& whole) const;
 
-    /// Applies only --opacity to a scene, for a viewer that applies the other options by its list
-    /// of parts.
+    /// Applies only --opacity to a scene, for a viewer whose list of parts applies --color, --hide
+    /// and --show-only (put_into).
     /// Errors:  l3d_error(usage) for a name of --opacity that is no part, or for too many parts.
     l3d_patch_scene scene_by_opacity(const l3d_patch_scene& whole) const;
     /// Applies --color, --hide and --show-only to a list of the model's parts.

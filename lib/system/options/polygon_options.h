@@ -56,8 +56,8 @@ public:
     ///         have, such as --depth-output and --net.
     l3d_polygon_settings settings() const;
 
-    /// The options that turn a model as these settings do, each after a blank; "" if the model is
-    /// not turned.
+    /// The command-line options that turn a model as these settings do, with a blank before each
+    /// option. The text is "" if the model is not turned.
     static std::string view_options(const l3d_polygon_settings& settings);
 
     /// Refuses options of polygons in a program that draws patches, as --pipeline afd asks.
