@@ -199,8 +199,8 @@ template <class T, int N> l3d_vector<T, N - 1> l3d_projected(const l3d_vector<T,
     return result;
 }
 
-/// The derivatives by u and by v of a rational patch as a surface S in space, whose weight is w.
-/// The product rule (S w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
+/// The derivatives by u and by v of the surface S in space that a rational patch stands for. If w
+/// is the patch's weight, (S w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
 /// Expects: the weight at (u, v) is not zero.
 template <class T, int N>
 std::pair<l3d_vector<T, N - 1>, l3d_vector<T, N - 1>>

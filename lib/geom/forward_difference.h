@@ -13,7 +13,8 @@
 #include <cstdint>
 #include <utility>
 
-/// A polynomial of one variable as its value and its forward differences at a step h.
+/// A polynomial of one variable, for walks along it by additions alone. It is held as its value and
+/// its forward differences for a step h.
 ///
 /// Shape:   d[0] is the value at the current parameter, d[k] the k-th forward difference there.
 /// Units:   those of the control values. The parameter runs from 0 to 1, so h is 1 / steps.
@@ -24,7 +25,7 @@
 ///          f(t + h/2), f(t + 2h).
 template <class T, int Degree> struct l3d_forward_difference {
     static_assert(Degree == 3, "halve and double are written for cubics");
-    std::array<T, Degree + 1> d; ///< the value, then differences of the first order on
+    std::array<T, Degree + 1> d; ///< the value, then the differences of orders 1 to Degree
 
     /// Prepares a walk in `steps` steps from t = 0, for a polynomial with Bernstein coefficients b.
     ///
@@ -112,7 +113,7 @@ double l3d_forward_difference_error(int n, double p, double b1, double b2, doubl
     return u * (initial + adding) + cancelling + half_ulp * (1 + steps + pairs + triples);
 }
 
-/// The work of an adaptive walk along a curve, for programs that show it.
+/// Counts the work of an adaptive walk along a curve, for programs that show these numbers.
 struct l3d_step_counts {
     std::int64_t steps = 0;     ///< steps taken, each of three additions a coordinate
     std::int64_t halvings = 0;  ///< halvings of the step

@@ -23,7 +23,7 @@
 /// index, as it finds the fixed vertices. Several polygons may share a list: the varying part is
 /// emptied once per frame, not per polygon.
 /// Shape:   indices 0 to fixed_size() - 1 are fixed, those from there to size() - 1 vary.
-/// Lives:   a value; a copy is deep. Adding an item makes references to others invalid.
+/// Lives:   a value; a copy is deep. Adding an item makes references to all items invalid.
 /// Cost:    no allocation once the largest frame has been seen.
 template <class Item> class L3D_PUBLIC l3d_two_part_list {
 public:
@@ -130,7 +130,7 @@ public:
         position_ = 0;
     }
 
-    /// Moves all vertices one step on; false if they have arrived.
+    /// Moves all vertices one step on. Returns false if this step was the last one.
     /// Expects: start() was called, and the last call returned true.
     bool step() {
         assert(position_ < steps_);
@@ -145,7 +145,7 @@ public:
         return position_ < steps_;
     }
 
-    /// The vertices on their way. `original` and `transformed` of a vertex are the same place.
+    /// The moving vertices. `original` and `transformed` of each vertex are the same place.
     l3d_vertex_list<T>& list() { return list_; }
 
 private:

@@ -104,8 +104,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Source: Newell's sum over the sides.
     vector area_vector(std::span<const std::uint32_t> face) const;
 
-    /// Splits each face of four corners two of whose sides cross, as in a bow tie, into two
-    /// triangles. The triangles meet in a new vertex at the crossing, and face the same way as each
+    /// Splits each face of four corners into two triangles if two of its sides cross, as in a bow
+    /// tie. The triangles meet in a new vertex at the crossing, and face the same way as each
     /// other.
     /// Errors: as index_of.
     void uncross_faces();

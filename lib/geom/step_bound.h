@@ -78,8 +78,9 @@ private:
 /// Units: pixels.
 std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 
-/// Bounds of the second derivatives of a piece of a curve or patch as seen in the image, by the
-/// piece's own parameters. They bound the error of drawing the piece in straight steps.
+/// Bounds of the second derivatives of a piece of a curve or patch as seen in the image. The
+/// derivatives are taken by the piece's own parameters. The bounds limit the error of drawing the
+/// piece in straight steps.
 ///
 /// Instead of the surface, the interpolant L of homogeneous points is drawn, whose image X0 lies
 /// inside `visible`. With S = (x, y, w) the exact point of the same parameters,
@@ -133,7 +134,7 @@ double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& vi
 /// The bound of a curve's second derivative in space, across the curve's own direction. A chord
 /// over a step 1/n lies within result / (8 n^2) of the curve. The chord's distance along the normal
 /// of any surface through the curve is no larger.
-/// Units: pixels at w_low; `focal` of them make a length of 1 at distance 1.
+/// Units: pixels at w_low. `focal` is the number of pixels that a length of 1 has at distance 1.
 double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low);
 
 /// Bounds of the difference of w between a patch or curve and its interpolant, which is at most
@@ -154,16 +155,16 @@ double l3d_depth_bound_of(const l3d_image_curve& curve);
 /// whose weights add up to no more than y.
 inline constexpr double l3d_balance = 0.0857864376269049512;
 
-/// The chord error of a balanced curve in n steps is at most this times max |f''|. One step has no
-/// vertex to move: 1/8.
+/// The factor c in the bound of chord errors, c max |f''|, of a balanced curve in n steps. A single
+/// step has no vertex to move, so its c is 1/8.
 constexpr double l3d_balanced_error(int n) {
     return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
 }
 
-/// The factor by which coordinates of balanced vertices may exceed the net's, if each quarter of
-/// the patch has at least two steps. Then h is at most 1/8. Vertices move by at most l3d_balance /
-/// 64 times second derivatives, along u and along v, and by both. These derivatives are at most 6 *
-/// 4 times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
+/// The factor by which coordinates of balanced vertices may exceed those of the net, if each
+/// quarter of the patch has at least two steps. Then h is at most 1/8. Vertices move by at most
+/// l3d_balance / 64 times second derivatives, along u and along v, and by both. These derivatives
+/// are at most 6 * 4 times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
 inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 
 /// The curve f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.

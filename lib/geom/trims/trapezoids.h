@@ -12,8 +12,8 @@
 /// A trapezoid of a region, between two lines of equal v.
 ///
 /// Shape: `low` and `high` are the values of u of the points on its lower and its upper side, in
-///        rising order. Each has at least one. `left` and `right` name the edges that these sides
-///        follow, upwards.
+///        rising order. Each side has at least one point. `left` and `right` name the edges that
+///        the left and the right side follow, upwards.
 struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
@@ -44,16 +44,15 @@ public:
     }
 
 private:
-    /// A side of a polygon, directed upwards. It is also the left side of at most one open
-    /// trapezoid.
+    /// A side of a polygon, directed upwards. It may also be the left side of one open trapezoid.
     struct side {
         l3d_trim_place low, high;
         l3d_trim_use use{};
-        /// The right side of the trapezoid of which this is the left side.
+        /// The right side of the trapezoid whose left side this is.
         std::size_t right = none;
         std::size_t next_right = none;
         double low_v = 0;
-        std::size_t first_low = 0, low_count = 0; ///< the low points of that trapezoid, in pool_
+        std::size_t first_low = 0, low_count = 0; ///< the range of this trapezoid's low points in pool_
 
         double at(double v) const;
         l3d_trim_use use_between(double from_v, double to_v) const;
