@@ -28,7 +28,8 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
 struct crossing {
     bool exists = false;
     std::size_t side = 0;
-    double share = 0; ///< place of the crossing on this side: 0 at its first corner, 1 at its second
+    /// Place of the crossing on this side: 0 at its first corner, 1 at its second.
+    double share = 0;
     l3d_polygon_mesh::vector place{0.0, 0.0, 0.0};
 };
 

@@ -48,7 +48,7 @@ enum class L3D_PUBLIC l3d_event_type {
     wheel,
     /// The picture has a new size, or l3d_screen::text_scale has changed.
     resize,
-    /// A visible part of the window lost its picture, which has to be shown again.
+    /// A visible part of the window lost its picture. The picture has to be shown again.
     expose,
     /// Nothing of the window can be seen until the next expose or reveal.
     hide,
@@ -67,8 +67,8 @@ enum class L3D_PUBLIC l3d_event_type {
 struct L3D_PUBLIC l3d_event {
     /// The kind of event.
     l3d_event_type type{};
-    /// key_*: the key's ASCII code or l3d_key. It is 0 for a press that only types text, such as a
-    /// letter of another script; no release follows.
+    /// key_*: the key's ASCII code or l3d_key. A press that only types text, such as a letter of
+    /// another script, has 0, and no release follows it.
     int key = 0;
     /// button_*: 1 left, 2 middle, 3 right. pointer_motion: the button that is held, 0 for none.
     int button = 0;
@@ -101,18 +101,18 @@ struct L3D_PUBLIC l3d_event {
     /// key, and for keys that type nothing. A dead key types nothing itself, but changes the text
     /// of the next key.
     std::string text{};
-    /// pointer_motion: how far a held pointer has moved to the right since the last such event;
+    /// pointer_motion: how far a held pointer has moved to the right since the last pointer_motion;
     /// 0 if the pointer is not held. Units: pixels.
     double right = 0;
-    /// pointer_motion: how far a held pointer has moved down since the last such event; 0 if the
-    /// pointer is not held. Units: pixels.
+    /// pointer_motion: how far a held pointer has moved down since the last pointer_motion; 0 if
+    /// the pointer is not held. Units: pixels.
     double down = 0;
     /// key_*, button_*, pointer_motion, wheel: the time of the event by the display's clock, whose
-    /// zero is any moment.
+    /// zero is an arbitrary moment.
     std::chrono::milliseconds time{};
 };
 
-/// A thing that a dispatcher pulls events from.
+/// A source of events, such as a screen, from which a dispatcher takes events.
 class L3D_PUBLIC l3d_event_source {
 public:
     l3d_event_source() = default;
@@ -124,7 +124,8 @@ public:
     bool next_event(l3d_event& event) { return do_next_event(event); }
 
     /// Sleeps until an event is pending or the time is over, whichever is first. The sleep may end
-    /// earlier. Data to read from the file descriptor `waker` ends it, too; -1 stands for no file.
+    /// earlier. It also ends when data can be read from the file descriptor `waker`; -1 stands for
+    /// no file.
     void wait(std::chrono::nanoseconds longest, int waker = -1) { do_wait(longest, waker); }
 
 private:

@@ -39,8 +39,8 @@ enum class L3D_PUBLIC l3d_pointer {
     dragged,  ///< the pointer's motion while a button is held
     followed, ///< all of the pointer's motion over the window
     /// The pointer is hidden and kept in the window. Its motion, which has no end, is told by
-    /// l3d_event::right and down. First-person views turn by it. A window without the keyboard lets
-    /// the pointer go.
+    /// l3d_event::right and down. First-person views turn by this motion. A window without the
+    /// keyboard lets the pointer go.
     held,
 };
 
@@ -79,7 +79,7 @@ public:
     /// the clock.
     bool is_window() const { return do_is_window(); }
 
-    /// The rate at which new pictures make sense if the user gives none.
+    /// The rate at which new pictures make sense if the user names no rate.
     /// Units:   pictures per second.
     double usual_fps() const { return do_usual_fps(); }
 
@@ -139,7 +139,7 @@ inline constexpr int l3d_largest_scale = 8;
 /// Whether a screen sends few pixels at the cost of detail, for a slow line.
 enum class L3D_PUBLIC l3d_remote {
     automatic, ///< as `on` if the display is reached over a network, else as `off`
-    on,        ///< only what changed, coarse while much of it changes; no memory is shared
+    on,        ///< only changed pixels, coarse while many change; no memory is shared
     off,       ///< whole pictures, as to a display of this machine
 };
 
@@ -148,9 +148,9 @@ struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< title of the window, in UTF-8
     std::string name = "l3d";  ///< name of the program, for window managers and their rules
-    /// The side, in display pixels, of the square that shows a pixel of the picture. 0 stands for
-    /// 1, with a picture larger than `size` by the factor by which the display is finer than 96
-    /// dots an inch.
+    /// The side, in display pixels, of the square that shows a pixel of the picture. 0 stands for 1
+    /// with a larger picture: `size` is then multiplied by the factor by which the display is finer
+    /// than 96 dots an inch.
     int scale = 0;
     /// How pictures travel to a display. Screens that are not windows ignore it.
     l3d_remote remote = l3d_remote::automatic;
@@ -171,7 +171,7 @@ struct L3D_PUBLIC l3d_service {
     std::string why{};        ///< the reason in one line, naming values; empty if `fully`
     bool is_seen = true;      ///< whether somebody sees pictures that are not written to files
 
-    /// Whether pictures can be shown, this way or another.
+    /// Whether screens of this kind can show pictures, fully or partly.
     bool serves() const { return how == level::fully || how == level::partly; }
 };
 
@@ -193,7 +193,8 @@ public:
         return do_create(request, refusal);
     }
 
-    /// Frees resources that service() kept for create(). Call it if another kind was chosen.
+    /// Frees resources that service() kept for create(). Call it if another kind of screen was
+    /// chosen.
     void release() const { do_release(); }
 
     /// Adds a probe for each thing that this kind depends on, with outcome and remedy.

@@ -69,7 +69,7 @@ private:
     l3d_service do_service() const override { return {.is_seen = false}; }
 
     /// Makes a screen. Errors: null, with the size in the reason, if there is not enough memory for
-    /// it.
+    /// the screen.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
 };

@@ -363,8 +363,9 @@ private:
     std::vector<text_cursor::reading_place> camera_lines_;
     bool is_camera_ = false; ///< whether the current object is the last of cameras_
     l3d_detail::face_materials materials_;
-    std::string object_;                    ///< the name of the current object
-    bool has_new_name_ = false;             ///< whether no mesh or camera has taken object_ as its name yet
+    std::string object_; ///< the name of the current object
+    /// Whether no mesh or camera has taken object_ as its name yet.
+    bool has_new_name_ = false;
     std::int64_t vertices_ = 0, faces_ = 0; ///< numbers that the current mesh promised
     /// Indices of the current mesh's first vertex and first face.
     std::size_t base_ = 0, first_face_ = 0;

@@ -355,7 +355,8 @@ private:
     std::optional<std::uint64_t> group_;
     std::unordered_map<std::string_view, std::uint64_t> group_numbers_;
     std::vector<l3d_polygon_mesh::picture_place> picture_places_; ///< places that corners may name
-    std::vector<double> weights_;                                 ///< weights of vertices; 1 beyond the array's end
+    /// Weights of vertices; 1 beyond the array's end.
+    std::vector<double> weights_;
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };

@@ -52,7 +52,8 @@ private:
         std::size_t right = none;
         std::size_t next_right = none;
         double low_v = 0;
-        std::size_t first_low = 0, low_count = 0; ///< the range of this trapezoid's low points in pool_
+        /// The range of this trapezoid's low points in pool_.
+        std::size_t first_low = 0, low_count = 0;
 
         double at(double v) const;
         l3d_trim_use use_between(double from_v, double to_v) const;

@@ -58,9 +58,11 @@ private:
     struct layer {
         std::array<l3d_trim_place, 2> low, high; ///< the left and the right corner
         std::array<l3d_trim_use, 2> use; ///< edges that the left and the right side follow, upwards
-        std::array<std::size_t, 2> side; ///< the polygons' sides on the left and on the right, as in l3d_trapezoid
-        std::size_t next = none;         ///< the layer above that shares the whole upper side of this one
-        bool goes_on = false;            ///< whether this layer is `next` of the layer below
+        /// The polygons' sides on the left and on the right, as in l3d_trapezoid.
+        std::array<std::size_t, 2> side;
+        /// The layer above that shares the whole upper side of this one.
+        std::size_t next = none;
+        bool goes_on = false; ///< whether this layer is `next` of the layer below
 
         bool is_wide_below() const { return low[0] != low[1]; }
         bool is_wide_above() const { return high[0] != high[1]; }

@@ -39,7 +39,7 @@ struct mesa_gl {
 #undef L3D_MESA_GL_MEMBER
 
     /// Fills the table: find(name) gives a pointer to each call, or null.
-    /// Errors: returns the name of a call that is missing; null if none is.
+    /// Errors: returns the name of a call that is missing; null if no call is missing.
     template <class Find> const char* load(const Find& find) {
         const char* missing = nullptr;
 #define L3D_MESA_GL_FIND(name)                                                                     \

@@ -16,12 +16,12 @@
 /// software GL.
 class l3d_screen_factory_mesa final : public l3d_screen_factory {
 public:
-    /// Asks for the GL of this library: auto, egl or osmesa. If it is empty, L3D_MESA names the
+    /// Asks for the GL of `library`: auto, egl or osmesa. If `library` is empty, L3D_MESA names the
     /// library.
     explicit l3d_screen_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
 
 private:
-    /// Opens GL for a try, and asks for windows.
+    /// Opens GL for a try, and asks whether windows can be shown.
     /// Errors:  not_here, with one line of all reasons and of the packages to install;
     ///          display_lost.
     /// Cost:    opens and closes a GL context, and asks as l3d_screen_factory_xshm does.
@@ -35,7 +35,7 @@ private:
 
     void do_release() const override { windows_.release(); }
 
-    /// One probe for each way to GL, with the renderer. Other back-ends tell of the display.
+    /// Adds one probe for each way to GL, with the renderer. Other back-ends tell of the display.
     void do_diagnose(l3d_probes& probes) const override;
 
     std::string library_;

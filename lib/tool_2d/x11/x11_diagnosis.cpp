@@ -42,7 +42,7 @@ l3d_probe probe_visual(const x11_connection& connection) {
 }
 
 /// Whether the server trusts the connection. An untrusted connection, as that of ssh -X, sees only
-/// the two extensions that are named here.
+/// the two extensions that this function names.
 bool is_trusted(const x11_connection& connection) {
     int count = 0;
     char** const names = XListExtensions(connection.display(), &count);

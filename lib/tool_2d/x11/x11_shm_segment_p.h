@@ -33,7 +33,7 @@ public:
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
     /// Errors: null, with one line in `why` that gives the reasons of kernel or server;
     ///         std::bad_alloc. A later segment that the server refuses fails at its first use.
-    /// Cost:    the first time five round trips for a file, and as many more if that fails.
+    /// Cost:   the first time five round trips for a file, and five more if the file fails.
     static std::unique_ptr<x11_shm_segment> make(x11_connection& connection, Visual* visual,
                                                  const l3d_pixel_layout& layout, std::size_t size,
                                                  std::string& why);

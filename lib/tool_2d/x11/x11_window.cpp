@@ -146,8 +146,8 @@ void x11_window::set_property(Atom name, Atom type, int format, const void* data
                     static_cast<const unsigned char*>(data), static_cast<int>(count));
 }
 
-/// Sets the title, also in its old property. The old property is in Latin-1 if that can hold the
-/// title, else in an encoding that Xlib chooses.
+/// Sets the title, in the property of today's managers and in the old one. The old property is in
+/// Latin-1 if Latin-1 can hold the title, else in an encoding that Xlib chooses.
 void x11_window::set_title(std::string title) {
     set_property(atoms_.net_wm_name, atoms_.utf8_string, 8, title.data(), title.size());
     XTextProperty old_name{};

@@ -91,7 +91,7 @@ KeySym symbol_of(Display* display, unsigned code, unsigned group, int level) {
 }
 
 /// Whether a group of the layout has at least half of the Latin letters. Layouts of other scripts
-/// have none, although some have signs of ASCII in their places.
+/// have no Latin letters, although some have signs of ASCII in their places.
 bool is_latin(Display* display, unsigned group) {
     constexpr int half_of_alphabet = 13;
     int letters = 0;
@@ -173,7 +173,8 @@ void x11_text::freer::operator()(xkb_compose_state* state) const {
     xkb_compose_state_unref(state);
 }
 
-/// Opens the table of sequences, which is a file of Xlib's. Without one, dead keys type nothing.
+/// Opens the table of sequences, which is a file of Xlib's. Without this table, dead keys type
+/// nothing.
 void x11_text::open() {
     if (is_open_)
         return;

@@ -35,8 +35,8 @@ double resource_dpi(std::string_view resources) {
     return dpi;
 }
 
-/// Reads the numbers and texts of settings one by one. After a missing one, all others count as
-/// missing.
+/// Reads the numbers and texts of settings one by one. After a missing value, all later values
+/// count as missing.
 class settings_reader {
 public:
     /// Begins at the text's start. Expects: a text whose first byte is 0 if numbers have their low

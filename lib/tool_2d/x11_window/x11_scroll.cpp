@@ -27,8 +27,9 @@ int whole(xcb_input_fp1616_t value) {
     return value >> 16;
 }
 
-/// Keeps a message, of which Xlib knows nothing, in the form of XCB's events. There, a number of
-/// XCB's own follows the first 32 bytes. The length counts the words after those.
+/// Keeps a message, of which Xlib knows nothing, in the form of XCB's events. In this form, a
+/// number of XCB's own follows the first 32 bytes. The length counts the words after these 32
+/// bytes.
 Bool keep_message(Display* display, XGenericEventCookie* cookie, xEvent* wire) {
     constexpr std::size_t head = 32, word = 4;
     const auto* const first = reinterpret_cast<const std::uint8_t*>(wire);

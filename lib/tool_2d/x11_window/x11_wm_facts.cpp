@@ -160,8 +160,8 @@ std::vector<l3d_pixel_box> x11_wm_facts::hear_monitors() {
     return monitors;
 }
 
-/// Takes the fineness from the settings. It changes only after the present manager of settings has
-/// sent its own value.
+/// Takes the fineness from the settings. The fineness changes only after the present manager of
+/// settings has sent its own value.
 void x11_wm_facts::hear_settings() {
     const auto hear_text = [this](xcb_get_property_cookie_t cookie) {
         return unique_reply<xcb_get_property_reply_t>(

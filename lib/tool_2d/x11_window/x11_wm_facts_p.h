@@ -28,9 +28,8 @@ struct x11_facts {
 
 /// Keeps the facts up to date by properties that others write: of our window, of the root, and of
 /// the windows by which managers of windows and of settings show that they live.
-///
-/// Each change asks for all facts anew, in one go. The last request is an event to ourselves. So
-/// nobody waits for a reply: when the event comes, the replies are there.
+/// Each change asks for all facts anew, in one go. The last request sends an event to ourselves. So
+/// nobody waits for a reply: when this event comes, the replies are there.
 /// Lives:   borrows the window.
 class x11_wm_facts {
 public:
@@ -63,7 +62,7 @@ public:
     /// Asks for everything, and from then on hears of changes by itself.
     void ask();
 
-    /// Calls ask() if that was never done, or if the connection had no room. So a slow or stopped
+    /// Calls ask() if it was never called, or if the connection had no room. So a slow or stopped
     /// server does not stop the program. Call it now and then.
     void look_after() {
         if (stage_ == stage::unwatched || is_due_)
