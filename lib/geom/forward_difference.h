@@ -58,8 +58,8 @@ template <class T, int Degree> struct l3d_forward_difference {
         d[2] = d[2] + d[3];
     }
 
-    /// Halves the step. The difference operator D' of the new step follows from that of the old
-    /// one: 1 + D' = (1 + D)^(1/2). Powers above D^3 vanish, so
+    /// Halves the step. The difference operator D' of the new step follows from the operator D of
+    /// the old step: 1 + D' = (1 + D)^(1/2). Powers above D^3 vanish, so
     ///     D' = D/2 - D^2/8 + D^3/16,  D'^2 = D^2/4 - D^3/8,  D'^3 = D^3/8.
     /// Expects: every difference is in range. (step() alone needs less: additions are exact modulo
     ///          2^bits, so only the values that are used must be in range.)

@@ -278,8 +278,8 @@ struct L3D_PUBLIC l3d_pipe {
 };
 
 /// Makes a pipe along a curve: circles around it, each perpendicular to the curve. An exact pipe is
-/// not a NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
-/// are cubic along the curve.
+/// not a NURBS surface. The result has exact circles at the ends of its spans; the circles' centres
+/// and axes are cubic along the curve.
 ///
 /// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.
 /// Errors:  throws l3d_error(bad_input) if 1024 spans do not keep the tolerance.

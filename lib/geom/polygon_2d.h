@@ -203,7 +203,8 @@ public:
     /// Undoes all clipping: the clipped polygon has the corners of the whole one again.
     void init_clip_ivertices() { clip_ivertices_ = ivertices_; }
 
-    /// Cuts off the parts outside of a convex window; false, and no corners, if nothing is left.
+    /// Cuts off the parts outside of a convex window. Returns false, and leaves no corners, if
+    /// nothing is inside.
     ///
     /// A polygon that only touches the window from outside is outside. Corners keep their order. A
     /// corner inside the window or on its border keeps its index. Others are replaced by new

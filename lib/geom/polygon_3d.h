@@ -12,7 +12,8 @@
 #include <span>
 #include <vector>
 
-/// A convex, planar polygon: a list of indices into a list of vertices that it shares with others.
+/// A convex, planar polygon: a list of indices into a list of vertices that several polygons may
+/// share.
 ///
 /// Shape:   as a face of l3d_polygon_mesh: the front is where (p1 - p0) x (p2 - p0) points to.
 /// Expects: three corners or more, each naming a vertex.

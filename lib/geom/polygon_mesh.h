@@ -143,10 +143,10 @@ enum class L3D_PUBLIC l3d_cut_end {
 
 /// Returns the part of a mesh in front of a plane, as a new mesh.
 ///
-/// Faces that meet at a cut edge share its new vertex. Vertices that no face uses are left out.
-/// Faces keep their colour, material and named part; looks and pictures are dropped. A cap takes
-/// colour and material from one of the cut faces around it. Call it with plane.flipped() for the
-/// other half.
+/// Faces that meet at a cut edge share the new vertex on this edge. Vertices that no face uses are
+/// left out. Faces keep their colour, material and named part; looks and pictures are dropped. A
+/// cap takes colour and material from one of the cut faces around it. The function returns the
+/// other half of the mesh for plane.flipped().
 /// Shape:   vertices and faces keep their order; new vertices follow. Caps come last, in the last
 ///          run of parts.
 /// Expects: mesh.is_valid(); convex faces. Caps are right for a closed mesh whose cut has no loop

@@ -46,15 +46,15 @@ l3d_depth_range l3d_depth_range_of(std::span<const l3d_image_point> net);
 /// Expects: every w > 0.
 l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
 
-/// Whether the net lies wholly beyond one side of `box`, or wholly at w <= near or w >= far. Its
-/// curve or patch then cannot be seen. The test is made on homogeneous half-spaces, so it holds for
-/// points at and behind the eye too.
+/// Whether a net lies wholly beyond one side of `box`, or wholly at w <= near or w >= far. The
+/// net's curve or patch then cannot be seen. The test is made on homogeneous half-spaces, so it
+/// holds for points at and behind the eye too.
 bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near,
                  double far = std::numeric_limits<double>::infinity());
 
-/// A control net that computes its depth range and its box when they are first asked for, and keeps
-/// both.
-/// Expects: its points do not change afterwards.
+/// A control net with its depth range and its box. Either is computed when it is first asked for,
+/// and then kept.
+/// Expects: the net's points do not change afterwards.
 class l3d_image_net : public l3d_image_patch {
 public:
     l3d_image_net() = default;
@@ -73,7 +73,7 @@ private:
 };
 
 /// Largest distances in the picture between neighbouring control points, along u and along v. A
-/// distance is the larger one of those in x and in y.
+/// distance is the larger of the differences in x and in y.
 /// Expects: every w > 0.
 /// Units: pixels.
 std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);

@@ -13,7 +13,7 @@
 
 struct l3d_model_file;
 
-/// Sharp edges and vertices of a mesh, for subdivision: `t` of .obj.
+/// Sharp edges and vertices of a mesh, for subdivision, as statements `t` of .obj files give them.
 struct L3D_PUBLIC l3d_cage_tags {
     /// An edge between two vertices, which stays sharp for `sharpness` subdivisions. From 10 on it
     /// is a crease for ever.

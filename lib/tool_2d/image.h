@@ -140,8 +140,8 @@ L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixel
 ///          picture is refused before memory is taken for the picture.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
 
-/// The limit on the number of pixels of pictures that are read, unless the caller gives another
-/// limit. Such a picture has 8 GB of words.
+/// The largest number of pixels of a picture that is read, unless the caller gives another limit. A
+/// picture of this size has 8 GB of words.
 inline constexpr std::int64_t l3d_most_image_pixels = std::numeric_limits<std::int32_t>::max();
 
 /// Reads PNG, binary PPM (P6, levels up to 255) or JPEG, whichever the contents are. Rows have no

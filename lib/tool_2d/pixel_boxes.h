@@ -47,8 +47,9 @@ public:
     }
 
 private:
-    /// Two boxes are united if that adds fewer needless pixels than this number. The smallest part
-    /// of a picture costs as much as some 2000 pixels of a whole one (tests/bench/still_bench).
+    /// Two boxes are united if their union adds fewer needless pixels than this number. The
+    /// smallest part of a picture costs as much as some 2000 pixels of a whole picture
+    /// (tests/bench/still_bench).
     static constexpr std::int64_t cost = 2048;
 
     /// Finds the two boxes whose union adds the fewest needless pixels. Unites them if these pixels

@@ -40,7 +40,7 @@ public:
     explicit l3d_screen_memory(const l3d_pixels& words);
 
     /// A screen around packed pixels, which hold the picture once it is shown. Colours that the
-    /// layout lacks are mixed from neighbouring ones by an ordered dither.
+    /// layout lacks are mixed from neighbouring colours by an ordered dither.
     /// Expects: width and height at least 1; rows that do not overlap; a layout of masks; bytes
     ///          that outlive the screen.
     /// Errors:  std::bad_alloc.
@@ -55,7 +55,7 @@ private:
     bool do_next_event(l3d_event&) override { return false; }
     void do_wait(std::chrono::nanoseconds, int) override {}
 
-    l3d_image image_;  ///< the screen's own words; empty if they were given
+    l3d_image image_;  ///< the screen's own words; empty if the caller gave words
     l3d_pixels words_; ///< the words of image_, or the given ones
     l3d_packed_pixels packed_{};
     l3d_screen_info info_;

@@ -44,8 +44,8 @@ public:
     /// Whether any corner has a normal, or any face has groups.
     bool any() const { return !of_corners_.empty() || !of_faces_.empty(); }
 
-    /// Gives the mesh its normals, once the whole file is read. A vertex without a face gets the
-    /// normal of its own index, unless there are faces and none names a normal or group.
+    /// Gives the mesh its normals, once the whole file is read. Vertex i gets normal i if it has no
+    /// face, unless the mesh has faces and no face names a normal or group.
     /// Errors: as l3d_polygon_mesh::index_of.
     void finish(l3d_polygon_mesh& mesh);
 

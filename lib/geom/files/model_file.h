@@ -70,7 +70,7 @@ struct L3D_PUBLIC l3d_model_camera {
 
 /// A curve in space at which trimmed faces end (l3d_trim_curve::edge).
 struct L3D_PUBLIC l3d_model_edge {
-    l3d_nurbs_curve curve; ///< the edge's place
+    l3d_nurbs_curve curve; ///< the edge itself
     double tolerance = 0;  ///< the distance that the file allows between the edge and its faces
 
     friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
@@ -226,13 +226,13 @@ l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::stri
 L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
                                std::span<const l3d_named_material> materials);
 
-/// Returns the text of an .off file. Reading it gives the same vertices, faces, normals and
+/// Returns the text of an .off file. Reading the text gives the same vertices, faces, normals and
 /// colours, bit for bit. Parts and materials are left out, and so are colours of vertices if faces
 /// have colours.
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
-/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, except for
+/// Returns the text of an .obj file. Reading the text gives the same model, bit for bit, except for
 /// colours of faces, looks of materials, pictures, cameras and notes, which are left out.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1

@@ -90,7 +90,7 @@ constexpr bool l3d_is_weight(double w) {
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
 l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 
-/// Returns the text of a .bpt file. Reading it gives the same patches, bit for bit.
+/// Returns the text of a .bpt file. Reading the text gives the same patches, bit for bit.
 /// Expects: patches that l3d_read_bpt would accept.
 L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 

@@ -81,7 +81,8 @@ public:
     std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
 
-    /// A place in the text, kept with a number that is an error only if something depends on it.
+    /// A place in the text. It is kept with a number that is an error only if something depends on
+    /// the number.
     struct reading_place {
         std::string_view rest, token;
         std::ptrdiff_t line;

@@ -442,7 +442,7 @@ l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& p
 }
 
 /// Compares the quintic N with the exact polynomial T of the normals. The tangent of the angle
-/// between them is |N x T| / N.T.
+/// between N and T is |N x T| / N.T.
 l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& piece)
     : error(std::numeric_limits<double>::infinity()) {
     const turned of(piece);

@@ -84,8 +84,8 @@ inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
 /// The reason why the knot t cannot be inserted; "" if it can.
 std::string knot_complaint(const l3d_bspline_direction& d, double t);
 
-/// The reason why `points` and `weights` are not `wanted` valid control points and their weights;
-/// "" if they are. `weights` may be empty.
+/// The error message for invalid control points or weights of a spline; "" if all are valid. There
+/// must be `wanted` points, and as many weights or none.
 std::string points_complaint(const std::vector<l3d_vector<double, 3>>& points,
                              const std::vector<double>& weights, std::size_t wanted);
 

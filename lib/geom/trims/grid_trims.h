@@ -65,7 +65,7 @@ public:
     struct workshop {
         l3d_trim_triangles quad;            ///< the quad that is cut
         std::vector<l3d_trim_place> places; ///< the corners of the quad's triangles, in order
-        /// The parts of the quad's sides within the grid.
+        /// The parts of the quad's sides at which the quad meets other quads of the grid.
         std::vector<std::array<l3d_trim_place, 2>> inner;
     };
     /// Sorts and cuts the quads of a grid whose lines have these values of u and v.

@@ -22,9 +22,9 @@ struct l3d_trapezoid {
     std::size_t left_side = 0, right_side = 0;
 };
 
-/// Cuts a region into trapezoids that meet without T-junctions. If a corner of one trapezoid lies
-/// on the low or high side of another, it is also a point of that side. On their left and right
-/// sides, neighbours have corners of their own.
+/// Cuts a region into trapezoids that meet without T-junctions on their low and high sides. If a
+/// corner of one trapezoid lies on such a side of another, it is also a point of that side. On the
+/// left and right sides, neighbouring trapezoids have corners of their own.
 ///
 /// Polygons may cross themselves and each other.
 /// Cost: time in proportion to the number of corners, times the number of sides that a line of

@@ -22,8 +22,9 @@ public:
     void cut(const l3d_trim_region& region, const l3d_trim_box& box);
 
     /// The triangles, which meet without T-junctions. They turn counterclockwise if u runs to the
-    /// right and v upwards. On the box's sides there may be corners that neighbours lack. There,
-    /// rounding may open a gap to the straight side; triangles without area fill it.
+    /// right and v upwards. On a side of the box, there may be corners that the neighbour beyond
+    /// this side lacks. At these corners, rounding may open a gap to the straight side. Triangles
+    /// without area fill such gaps.
     std::span<const std::array<l3d_trim_place, 3>> triangles() const { return triangles_; }
 
     /// The parts of the box's sides that the region reaches. Shape: the sides are in the order low

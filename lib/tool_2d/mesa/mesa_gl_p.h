@@ -32,7 +32,7 @@
 
 namespace l3d_detail {
 
-/// gl.Clear(...) is glClear(...) of the library that was found.
+/// The GL calls of the library that was found: gl.Clear(...) is glClear(...) of this library.
 struct mesa_gl {
 #define L3D_MESA_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
     L3D_MESA_GL_CALLS(L3D_MESA_GL_MEMBER)

@@ -108,10 +108,10 @@ constexpr std::chrono::milliseconds longest_leave{200};
 /// Calls functions of Xlib that cannot go on if the server dies meanwhile. If the server dies,
 /// jumps out of these functions.
 ///
-/// XOpenDisplay would end the process, as it has no display yet for an exit handler.
-/// XQueryExtension would take the reply that never came for the number of an extension. The jump
-/// leaks the memory that Xlib has taken so far, once. The test `a_server_may_die_at_any_byte` fails
-/// without this function.
+/// Without the jump, XOpenDisplay would end the process, as it has no display yet for an exit
+/// handler. XQueryExtension would take the reply that never came for the number of an extension.
+/// The jump leaks the memory that Xlib has taken so far, once. The test
+/// `a_server_may_die_at_any_byte` fails without this function.
 /// Expects: nothing in `ask` has a destructor.
 /// Errors:  false if the server died.
 template <class Ask> bool ask_safely(Ask ask) {

@@ -53,7 +53,7 @@ bool is_trusted(const x11_connection& connection) {
     return shows_more;
 }
 
-/// Tells of anything special about the connection to the server.
+/// Adds a probe for each thing that is special about the connection to the server.
 void probe_way(const x11_connection& connection, l3d_probes& probes) {
     if (!is_trusted(connection))
         probes.push_back({"trust",

@@ -165,7 +165,8 @@ private:
         return rests;
     }
 
-    /// Adds text tile by tile, as much as goes at once. Returns the number of pixels that are sent.
+    /// Adds text tile by tile, as much as can be sent at once. Returns the number of pixels that
+    /// are sent.
     std::int64_t add_text() {
         std::int64_t pixels = 0;
         while (!letters_.empty() && pixels < pixels_at_once())

@@ -29,8 +29,8 @@ public:
     /// Whether the window covers the screen, or will once all requests are done.
     bool is_on() const;
 
-    /// Asks for the window to cover the screen, or to cover it no longer. The request is sent as
-    /// soon as the window's state is known.
+    /// Asks for the window to cover the screen, or to cover it no longer. The change begins as soon
+    /// as the window's state is known.
     void set(bool on);
 
     /// Takes note of an event about our window, if the pointer or the window has moved.

@@ -77,7 +77,8 @@ private:
     bool is_held_ = false;
     xcb_grab_pointer_cookie_t asked_{};
     clock::time_point next_try_{};
-    unsigned long leap_ = 0;    ///< the request that put the pointer back; 0: it has arrived
+    /// The request that put the pointer back; 0: the pointer has arrived.
+    unsigned long leap_ = 0;
     std::optional<place> last_; ///< a held pointer's last place; nothing before its first motion
 };
 

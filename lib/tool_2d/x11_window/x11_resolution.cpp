@@ -79,7 +79,8 @@ private:
     bool is_whole_ = true;
 };
 
-/// The factor from the usual resolution, at least 1. It is 1 if `dpi` is not a number.
+/// The factor by which `dpi` exceeds the usual resolution, at least 1. It is 1 if `dpi` is not a
+/// number.
 double fineness_of(double dpi) {
     const double wanted = dpi / usual_dpi;
     return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;

@@ -113,7 +113,7 @@ void x11_scroll::hear() {
                                  XCB_INPUT_XI_EVENT_MASK_MOTION | XCB_INPUT_XI_EVENT_MASK_ENTER);
 }
 
-/// Adds all axes of a device with their positions, and for wheels the length of a notch.
+/// Adds all axes of a device with their positions. For wheels, also notes the length of a notch.
 void x11_scroll::add_wheels(const xcb_input_xi_device_info_t& device) {
     for (auto at = xcb_input_xi_device_info_classes_iterator(&device); at.rem > 0;
          xcb_input_device_class_next(&at)) {
