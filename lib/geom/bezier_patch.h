@@ -171,8 +171,8 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
         return halves;
     }
 
-    /// The least and the largest coordinates of the control points. They bound the whole patch,
-    /// which lies in the convex hull of these points.
+    /// The least and the largest coordinates of the control points. These coordinates bound the
+    /// whole patch, which lies in the convex hull of the control points.
     std::pair<point, point> bounds() const {
         std::pair<point, point> box{points[0], points[0]};
         for (const point& p : points)

@@ -21,7 +21,7 @@
 /// Cost:    `Degree` additions a step, no multiplication.
 /// Source:  Newton's forward differences. step, halve and double_step are the operators E, L and
 ///          the inverse of L in Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering
-///          Curves and Surfaces, SIGGRAPH 1987. They are derived again here from f(t + h),
+///          Curves and Surfaces, SIGGRAPH 1987. The operators are derived again here from f(t + h),
 ///          f(t + h/2), f(t + 2h).
 template <class T, int Degree> struct l3d_forward_difference {
     static_assert(Degree == 3, "halve and double are written for cubics");
@@ -120,8 +120,8 @@ struct l3d_step_counts {
     std::int64_t doublings = 0; ///< doublings of the step
 };
 
-/// Walks along a curve to its end. It halves a step that would move a coordinate by more than a
-/// pixel. It doubles the step where the next step would move every coordinate by at most half a
+/// Walks along a curve to its end. The walk halves a step that would move a coordinate by more than
+/// a pixel. It doubles the step where the next step would move every coordinate by at most half a
 /// pixel, if steps of twice the length still end at the curve's end.
 ///
 /// The walk is exact if T is fixed point with g + 3 finest fraction bits, and control values are
@@ -168,9 +168,9 @@ l3d_step_counts l3d_walk_adaptively(std::array<l3d_forward_difference<T, 3>, Coo
     return counts;
 }
 
-/// A cubic Bezier polynomial with whole control values, for walks without rounding. Whenever a
-/// split or a walk doubles the number of steps, it multiplies the values by 8. So every difference
-/// is a whole number. The level counts these doublings.
+/// A cubic Bezier polynomial with whole control values, for walks without rounding. A split or a
+/// walk that doubles the number of steps also multiplies the values by 8. So every difference is a
+/// whole number. The level counts these doublings.
 ///
 /// Units:   the true values are the stored ones divided by 8^level.
 /// Expects: control values of at most 2^24 in magnitude at level 0, and levels up to most_level.

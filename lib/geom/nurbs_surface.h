@@ -272,8 +272,8 @@ L3D_PUBLIC l3d_nurbs_surface l3d_ruled(l3d_nurbs_curve first, l3d_nurbs_curve se
 /// A surface that approximates a pipe along a curve, and its measured error.
 struct L3D_PUBLIC l3d_pipe {
     l3d_nurbs_surface surface; ///< u runs around the curve, v along it
-    /// The largest distance of the surface's points from the exact circles. It is measured at 9
-    /// places along each span and 8 around, not proven.
+    /// The largest distance of the surface's points from the exact circles. This distance is
+    /// measured at 9 places along each span and 8 around, not proven.
     double measured = 0;
 };
 

@@ -184,8 +184,8 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 ///
 /// The polygon knows indices, not vertices; the caller passes the vertices in each call. With
 /// another list of vertices, such as the next picture of a movement, the polygon has another form.
-/// There are two lists of indices: the definition, which stays, and the clipped one, which is
-/// drawn.
+/// There are two lists of indices: the corners of the definition, which stay, and the clipped
+/// corners, which are drawn.
 /// Expects: corners in clockwise order on the screen, where y is down. Anticlockwise polygons are
 ///          clipped and drawn as well, but cannot serve as a window.
 /// Lives:   a value; a copy is deep.
@@ -207,9 +207,9 @@ public:
     /// nothing is inside.
     ///
     /// A polygon that only touches the window from outside is outside. Corners keep their order. A
-    /// corner inside the window or on its border keeps its index. Others are replaced by new
-    /// vertices in the varying part. If two polygons share an edge, their new vertices on it are at
-    /// the same place.
+    /// corner inside the window or on its border keeps its index. Corners outside are replaced by
+    /// new vertices in the varying part. If two polygons share an edge, their new vertices on it
+    /// are at the same place.
     /// Shape:   `window` is an array, a vector or a span of l3d_position, its corners in clockwise
     ///          order on the screen. l3d_window_corners makes a rectangle.
     /// Expects: a window of at least three corners, and vertices as l3d_side_2d expects them.

@@ -96,10 +96,11 @@ std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 struct l3d_second_bounds {
     double uu = 0, uv = 0, vv = 0;
 
-    /// A bound of the error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. It
-    /// also bounds a folded quad, which is drawn as four triangles around its centre. Let s and t
-    /// run from 0 to 1 over the quad. On each triangle, s t differs from its linear interpolant by
-    /// at most 1/16. The coefficient of s t is the mixed difference, at most uv / (nu nv).
+    /// A bound of the error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. The
+    /// bound also holds for a folded quad, which is drawn as four triangles around its centre. Let
+    /// s and t run from 0 to 1 over the quad. On each triangle, s t differs from its linear
+    /// interpolant by at most 1/16. The coefficient of s t is the mixed difference, at most uv /
+    /// (nu nv).
     double quad_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 16;
@@ -113,7 +114,7 @@ struct l3d_second_bounds {
     }
 };
 
-/// Bounds of mixed third and fourth derivatives as seen in the image. They are derived like
+/// Bounds of mixed third and fourth derivatives as seen in the image. The bounds are derived like
 /// l3d_second_bounds: 18 and 36 times the largest differences of the control points.
 struct l3d_mixed_bounds {
     double uuv = 0, uvv = 0, uuvv = 0;
@@ -171,7 +172,8 @@ inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 l3d_image_curve l3d_balanced(const l3d_image_curve& f, int n);
 
 /// Bound of the image error of a vertex whose x and y err by e_xy each, and w by e_w. Each image
-/// coordinate X errs by at most (e_xy + |X| e_w) / (w - e_w), so the vertex by sqrt(2) times that.
+/// coordinate X errs by at most (e_xy + |X| e_w) / (w - e_w), so the vertex errs by at most sqrt(2)
+/// times this bound.
 /// Units:   reach: pixels, at least the largest |X|, as l3d_image_box::reach gives it.
 /// Expects: e_w < w_least.
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least);

@@ -32,7 +32,8 @@ struct sides_of_edge {
     std::uint32_t faces[2] = {nothing, nothing};
 };
 
-/// The edges of a mesh. Each has at most two faces, which walk along it in opposite directions.
+/// The edges of a mesh. Each edge has at most two faces, which walk along it in opposite
+/// directions.
 class cage_edges {
 public:
     explicit cage_edges(const l3d_polygon_mesh& mesh) : mesh_(mesh) {}

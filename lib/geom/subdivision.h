@@ -58,7 +58,7 @@ struct L3D_PUBLIC l3d_subdivision {
 };
 
 /// Replaces a model's polygons by patches of their Catmull-Clark surface, with materials and parts.
-/// Most patches are exact. Those at irregular vertices are within the model's patch_errors of the
+/// Most patches are exact. Patches at irregular vertices are within the model's patch_errors of the
 /// limit surface (docs/NUMERICS.md, section 29). A note tells the error that was reached.
 ///
 /// The function needs the plug-in libl3d_subdivision.so, of the package l3d-subdivision.

@@ -81,8 +81,8 @@ struct L3D_PUBLIC l3d_event {
     /// wheel: how far the wheel turned, in notches; positive away from the user. Fine wheels and
     /// touchpads turn by parts of a notch.
     double turn = 0;
-    /// wheel: the whole notches that this turn completes, for programs that count steps. It is 0
-    /// while a fine wheel is on its way to the next notch.
+    /// wheel: the whole notches that this turn completes, for programs that count steps. The number
+    /// is 0 while a fine wheel is on its way to the next notch.
     int notches = 0;
     /// button_press: 2 for the second press of a double click, else 1.
     int clicks = 0;
@@ -97,9 +97,9 @@ struct L3D_PUBLIC l3d_event {
     bool logo = false;
     /// key_press: whether the key was down already, and repeats.
     bool repeat = false;
-    /// key_press: the text that the key types, in UTF-8. It is empty with Ctrl, Alt or the logo
-    /// key, and for keys that type nothing. A dead key types nothing itself, but changes the text
-    /// of the next key.
+    /// key_press: the text that the key types, in UTF-8. The text is empty with Ctrl, Alt or the
+    /// logo key, and for keys that type nothing. A dead key types nothing itself, but changes the
+    /// text of the next key.
     std::string text{};
     /// pointer_motion: how far a held pointer has moved to the right since the last pointer_motion;
     /// 0 if the pointer is not held. Units: pixels.
@@ -124,8 +124,8 @@ public:
     bool next_event(l3d_event& event) { return do_next_event(event); }
 
     /// Sleeps until an event is pending or the time is over, whichever is first. The sleep may end
-    /// earlier. It also ends when data can be read from the file descriptor `waker`; -1 stands for
-    /// no file.
+    /// earlier. The sleep also ends when data can be read from the file descriptor `waker`; -1
+    /// stands for no file.
     void wait(std::chrono::nanoseconds longest, int waker = -1) { do_wait(longest, waker); }
 
 private:

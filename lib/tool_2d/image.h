@@ -17,10 +17,11 @@
 #include <string>
 #include <utility>
 
-/// The stride to use for rows of `width` words: an odd number of cache lines of 64 bytes. It
-/// exceeds the row by one word to two lines. If rows were 4096 bytes apart, a column's pixels would
-/// share a set of the cache. A row's loads would wait for stores to the row above, since processors
-/// tell addresses apart by their last 12 bits. A frame of 1024 x 768 would take a tenth more time.
+/// The stride to use for rows of `width` words: an odd number of cache lines of 64 bytes. The
+/// stride exceeds the row by one word to two lines. If rows were 4096 bytes apart, a column's
+/// pixels would share a set of the cache. A row's loads would wait for stores to the row above,
+/// since processors tell addresses apart by their last 12 bits. A frame of 1024 x 768 would take a
+/// tenth more time.
 inline std::ptrdiff_t l3d_padded_stride(int width) {
     constexpr std::ptrdiff_t words_per_line = 16;
     return ((width / words_per_line + 1) | 1) * words_per_line;

@@ -124,7 +124,8 @@ l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha al
     return image;
 }
 
-/// Reads a number in the head of a PPM. It skips blanks, and comments from # to the end of a line.
+/// Reads a number in the head of a PPM. Before the number, blanks are skipped, and comments from #
+/// to the end of a line.
 std::optional<int> next_number(std::string_view text, std::size_t& at) {
     for (bool in_comment = false; at < text.size(); ++at) {
         in_comment = (in_comment || text[at] == '#') && text[at] != '\n';

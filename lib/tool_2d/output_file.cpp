@@ -48,7 +48,7 @@ std::string led_to(fs::path name) {
     return name.string();
 }
 
-/// The name of a temporary file in a folder. It is short enough for any file system.
+/// The name of a temporary file in a folder. The name is short enough for any file system.
 std::string part_name(const std::string& folder, std::uint64_t number) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "/.l3d-%016llx.part",
@@ -64,9 +64,9 @@ std::string free_name(const std::string& folder) {
     return part_name(folder, number);
 }
 
-/// The name of a complete file between its link and its renaming. It is always the same, so that
-/// the next writer finds a file that a dead writer left behind in this moment. It need not be
-/// secret, as a hard link follows no link and replaces no file.
+/// The name of a complete file between its link and its renaming. The name is always the same, so
+/// that the next writer finds a file that a dead writer left behind in this moment. The name need
+/// not be secret, as a hard link follows no link and replaces no file.
 std::string complete_name(const std::string& target) {
     return part_name(folder_of(target), std::hash<std::string>()(target));
 }

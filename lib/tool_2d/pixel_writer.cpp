@@ -96,7 +96,7 @@ struct pixel_writer::by_shifts {
     }
 };
 
-/// Pixels with masks of at most eight bits, and some of fewer. They are dithered.
+/// Dithered pixels with masks of at most eight bits, some of which have fewer.
 struct pixel_writer::by_few_bits {
     const pixel_writer& writer;
     int red, green, blue;
@@ -115,7 +115,7 @@ struct pixel_writer::by_few_bits {
     }
 };
 
-/// Pixels that index a cube of colours. They are dithered.
+/// Dithered pixels that index a cube of colours.
 struct pixel_writer::by_cube {
     const pixel_writer& writer;
     const std::uint32_t* pixels;
@@ -136,7 +136,7 @@ struct pixel_writer::by_cube {
     }
 };
 
-/// Pixels that index a ramp of greys. They are dithered.
+/// Dithered pixels that index a ramp of greys.
 struct pixel_writer::by_ramp {
     const pixel_writer& writer;
     const std::uint32_t* pixels;

@@ -84,7 +84,7 @@ public:
     double usual_fps() const { return do_usual_fps(); }
 
     /// The factor by which text must be larger than on a display of 96 dots an inch to be read as
-    /// easily; at least 1. It is 1.5 if the user has set 144 dots an inch and
+    /// easily; at least 1. The factor is 1.5 if the user has set 144 dots an inch and
     /// l3d_screen_request::scale is 1.
     double text_scale() const { return do_text_scale(); }
 

@@ -66,8 +66,8 @@ struct L3D_PUBLIC l3d_palette {
     int blue = 0;                      ///< levels of blue; 1 on a ramp
     std::vector<std::uint32_t> pixels; ///< empty: there is no palette, and masks are used
     /// The largest difference, in any channel and in 255ths, between the colour that a pixel shows
-    /// and the value of the pixel's level. It is not 0 if the display's map had no room for exact
-    /// colours.
+    /// and the value of the pixel's level. The difference is not 0 if the display's map had no room
+    /// for exact colours.
     int deviation = 0;
 
     /// Whether the palette has grays only.

@@ -62,7 +62,7 @@ private:
     std::unique_ptr<l3d_detail::pixel_writer> writer_; ///< writes packed pixels; null without them
 };
 
-/// Makes screens without a display. They can be made everywhere.
+/// Makes screens without a display. Such screens can be made everywhere.
 class L3D_PUBLIC l3d_screen_factory_memory final : public l3d_screen_factory {
 private:
     /// Tells that the screens serve, but are not seen. Errors: none.

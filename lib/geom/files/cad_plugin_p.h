@@ -20,8 +20,8 @@ inline constexpr std::uint32_t cad_version = 2;
 /// The interface of the plug-in libl3d_cad.so, which reads STEP and IGES files.
 struct cad_plugin : plugin_interface {
     /// Reads the text of a STEP or an IGES file, and passes its surfaces as records to take(to,
-    /// bytes, size), piece by piece. Lengths are in millimetres. A few times a second it calls
-    /// tell(to, share) with the share of the work that is done. It stops if tell() returns 0.
+    /// bytes, size), piece by piece. Lengths are in millimetres. A few times a second, read() calls
+    /// tell(to, share) with the share of the work that is done. If tell() returns 0, read() stops.
     ///
     /// Shape:  records as cad_record lists them: the kind's number, then the record's fields. Texts
     ///         and lists begin with their length.

@@ -142,7 +142,7 @@ private:
                l3d_scaling<double>(scale[0], scale[1], scale[2]);
     }
 
-    /// The placements of a node's mesh, in the node's coordinates. There is one, unless
+    /// The placements of a node's mesh, in the node's coordinates. There is one placement, unless
     /// EXT_mesh_gpu_instancing lists more.
     std::vector<matrix> instances_of(const gltf_value& node) {
         if (!node.has("extensions") || !node.at("extensions").has(instancing))

@@ -156,7 +156,8 @@ inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 
 /// Collects coordinates of vertices that are not finite, or beyond 1e12. Some programs write
-/// vertices with such coordinates, but no face uses these vertices. They are moved to the origin.
+/// vertices with such coordinates, but no face uses these vertices. The vertices are moved to the
+/// origin.
 class odd_coordinates {
 public:
     /// Checks a coordinate of the next vertex. The current token, or `digits` in it, is the

@@ -306,9 +306,9 @@ bool obj_surfaces::end(const std::vector<vector>& vertices, const std::vector<do
 }
 
 /// Counts memory that the model takes. Fails if this is more memory than different vertices of the
-/// text could need. A vertex takes at least 8 bytes of text ("v 0 0 0"), and 2 more where it is
-/// named. It makes at most a rational bicubic patch of 568 bytes. A text that asks for more memory
-/// names the same vertices again and again.
+/// text could need. A vertex takes at least 8 bytes of text ("v 0 0 0"), and 2 more bytes where it
+/// is named. A vertex makes at most a rational bicubic patch of 568 bytes. A text that asks for
+/// more memory names the same vertices again and again.
 bool obj_surfaces::takes(std::size_t bytes) {
     constexpr std::size_t most_per_byte = 48;
     patch_bytes_ += bytes;

@@ -106,8 +106,8 @@ private:
                text_.plausible(faces, "faces", face);
     }
 
-    /// Whether a third count follows, the number of edges. Some programs leave it out. Then the
-    /// line ends here, and the next line holds several numbers, the first vertex.
+    /// Whether a third count follows, the number of edges. Some programs leave it out. The line
+    /// then ends here, and the next line holds the several numbers of the first vertex.
     bool counts_edges() const {
         text_cursor ahead = text_;
         return is_binary_ || ahead.next_in_line() || (ahead.next() && !ahead.next_in_line());

@@ -18,8 +18,8 @@
 /// The value of l3d_trim_curve::edge for a curve that follows no edge.
 inline constexpr std::uint32_t l3d_no_edge = 0xffffffff;
 
-/// A rational Bezier curve in the plane of a surface's parameters. It may follow an edge of the
-/// model, a curve in space at which several faces end.
+/// A rational Bezier curve in the plane of a surface's parameters. The curve may follow an edge of
+/// the model, which is a curve in space at which several faces end.
 ///
 /// Shape: 2 to 16 control points; their number is the degree plus 1. Each point has u, v and a
 ///        weight; u and v are not multiplied by the weight.

@@ -41,8 +41,8 @@ struct subdivision_sink {
     /// Takes a patch: 16 control points, x, y and z of each, u fastest. `face` is the patch's face
     /// of the cage. The normal dS/du x dS/dv points to the side from which the face's corners run
     /// counterclockwise. `error` bounds the distance from the limit surface at the same parameters.
-    /// It also bounds the distance of control points, unless the patch is a cap: a patch that is
-    /// not exact.
+    /// `error` also bounds the distance of the control points, unless the patch is a cap: a patch
+    /// that is not exact.
     void (*take)(void* to, std::uint32_t face, const double* points, double error,
                  std::uint32_t is_cap);
     void (*fail)(void* to, const char* why);

@@ -137,8 +137,8 @@ public:
         return true;
     }
 
-    /// Takes a number as Geomview writes it: text, or a float in a binary file. It may be infinite
-    /// or NaN.
+    /// Takes a number as Geomview writes it: text, or a float in a binary file. The number may be
+    /// infinite or NaN.
     bool any_number_or_float(double& value, bool is_float, const char* what) {
         if (!is_float)
             return any_number(value, what);

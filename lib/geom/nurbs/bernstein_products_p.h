@@ -55,8 +55,8 @@ template <class V> struct net {
         }
         return result;
     }
-    /// The quotient by v of a polynomial that is 0 at v = 0. It uses v B^(n-1)_j = (j + 1) / n
-    /// B^n_(j+1).
+    /// The quotient by v of a polynomial that is 0 at v = 0. The division uses v B^(n-1)_j = (j +
+    /// 1) / n B^n_(j+1).
     net over_v() const {
         net result(m, n - 1);
         for (int r = 0; r < n; ++r)

@@ -336,8 +336,8 @@ l3d_rational_piece reduced(l3d_rational_piece piece) {
 }
 
 /// The polynomial W^3 S_u x S_v, which has the direction of the piece's normals wherever the
-/// normals are not 0. If the edge v = 0 is a point, the polynomial has a factor v. It is then
-/// divided by v.
+/// normals are not 0. If the edge v = 0 is a point, the polynomial has a factor v, which is divided
+/// out.
 struct exact_normals {
     net<vector> of{0, 0};
     double noise = 0; ///< bound of the coefficients' rounding

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// A rational Bezier patch of any degree, or a part of one, in homogeneous coordinates. It is
-/// halved until a bicubic patch approximates it well enough.
+/// A rational Bezier patch of any degree, or a part of one, in homogeneous coordinates. A piece is
+/// halved until bicubic patches approximate its parts well enough.
 ///
 /// Shape: (degree_u + 1) * (degree_v + 1) points (x w, y w, z w, w), u fastest.
 struct l3d_rational_piece {

@@ -44,7 +44,7 @@ std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d
     return {first - n, last + 1};
 }
 
-/// The weighted mean of two control points: exactly a or b if the other's weight is 0. It is
+/// The weighted mean of two control points: exactly a or b if the other's weight is 0. The mean is
 /// clamped between a and b, so that coordinates stay below their limit.
 control_point between(const control_point& a, const control_point& b, double weight_a,
                       double weight_b) {

@@ -11,7 +11,7 @@
 
 /// A trapezoid of a region, between two lines of equal v.
 ///
-/// Shape: `low` and `high` are the values of u of the points on its lower and its upper side, in
+/// Shape: `low` and `high` are the values of u of the points on the lower and the upper side, in
 ///        rising order. Each side has at least one point. `left` and `right` name the edges that
 ///        the left and the right side follow, upwards.
 struct l3d_trapezoid {
@@ -44,7 +44,8 @@ public:
     }
 
 private:
-    /// A side of a polygon, directed upwards. It may also be the left side of one open trapezoid.
+    /// A side of a polygon, directed upwards. This side may also be the left side of one open
+    /// trapezoid.
     struct side {
         l3d_trim_place low, high;
         l3d_trim_use use{};

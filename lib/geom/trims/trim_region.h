@@ -127,9 +127,9 @@ std::string l3d_trim_curves_complaint(std::span<const l3d_trim_loop> loops);
 /// and v. The closed loops leave the same places of the box. A curve may end at one side of the box
 /// where the next begins at the other. Curves may go on beyond the box.
 ///
-/// A loop may go around the surface, and so come back at the other side. It leaves the part on its
-/// left, if u runs to the right and v upwards. If several loops go around, the one with the least v
-/// decides, or with the least u if they go along v.
+/// A loop may go around the surface, and so come back at the other side. Such a loop keeps the part
+/// on its left, if u runs to the right and v upwards. If several loops go around, the loop with the
+/// least v decides, or the loop with the least u if they go along v.
 /// Errors: nothing, and the reason in `why`: as l3d_trims_complaint; for a loop that goes around
 ///         twice; for loops around both ways.
 std::optional<std::vector<l3d_trim_loop>> l3d_unrolled(std::span<const l3d_trim_loop> loops,

@@ -27,8 +27,8 @@ private:
     /// Cost:    opens and closes a GL context, and asks as l3d_screen_factory_xshm does.
     l3d_service do_service() const override;
 
-    /// Makes a window or a screen in memory. It does not look for GL, since do_service() did. Each
-    /// rasterizer opens its own GL context, and throws if it cannot.
+    /// Makes a window or a screen in memory. The function does not look for GL, since do_service()
+    /// did. Each rasterizer opens its own GL context, and throws if none can be opened.
     /// Errors:  null: no memory, display lost.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;

@@ -180,8 +180,8 @@ bool cell_sharer::allocate(XColor& color) {
     return true;
 }
 
-/// Asks for a cell of a near colour. The request names the exact colour of the nearest cell. It
-/// gets this cell unless the cell's owner may change the colour.
+/// Asks for a cell of a near colour. The request names the exact colour of the nearest cell. The
+/// request gets this cell unless the cell's owner may change the colour.
 bool cell_sharer::allocate_nearest(const palette_shape& shape, std::uint32_t wanted,
                                    XColor& color) {
     while (!found_.empty()) {

@@ -35,8 +35,8 @@ struct palette_shape {
     /// Distance of two colours in their worst channel, in 510ths of a step of that channel.
     int distance(std::uint32_t one, std::uint32_t other) const;
 
-    /// Whether two colours differ by no more than half a step in each channel. Then a dither still
-    /// mixes colours from a level on each side.
+    /// Whether two colours differ by no more than half a step in each channel. If all cells of a
+    /// palette are so near to its colours, a dither still mixes colours from a level on each side.
     bool is_near(std::uint32_t one, std::uint32_t other) const {
         return distance(one, other) <= 255;
     }
@@ -57,7 +57,7 @@ int channel_difference(std::uint32_t one, std::uint32_t other);
 ///          the other six corners of the cube.
 std::optional<l3d_palette> palette_of_cells(std::span<const std::uint32_t> cells, bool ramp);
 
-/// The palette of all pixels that masks of few bits can make. It replaces the masks.
+/// The palette of all pixels that masks of few bits can make. This palette replaces the masks.
 l3d_palette palette_of_masks(const l3d_screen_info& info);
 
 /// A colormap, our cells in it, and the format of its pixels.

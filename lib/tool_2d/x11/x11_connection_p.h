@@ -33,9 +33,9 @@ enum class x11_sharing {
 /// Owns a Display.
 ///
 /// Xlib's two error handlers belong to the whole process, and the default handlers end the process.
-/// While connections of this class exist, our handlers stand in front. They keep errors of these
-/// connections and hand all other errors to the previous handlers, which come back when the last
-/// connection ends. The same holds for SIGPIPE, which Xlib raises by writing to a dead server,
+/// While connections of this class exist, our handlers stand in front. Our handlers keep errors of
+/// these connections and hand all other errors to the previous handlers, which come back when the
+/// last connection ends. The same holds for SIGPIPE, which Xlib raises by writing to a dead server,
 /// unless the program handles or ignores it.
 class x11_connection {
 public:

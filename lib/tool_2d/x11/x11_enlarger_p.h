@@ -11,8 +11,8 @@
 
 namespace l3d_detail {
 
-/// Enlarges parts of a picture in the server. It uses only core requests, since untrusted clients
-/// may use no others.
+/// Enlarges parts of a picture in the server. This class uses only core requests, since untrusted
+/// clients may use no others.
 ///
 /// The columns of a small picture are moved apart. Copies of all columns then fill the gaps. Each
 /// copy is shifted by twice as much as the copy before. Rows are enlarged in the same way.

@@ -20,9 +20,9 @@ namespace l3d_detail {
 ///
 /// If the server supports it (MIT-SHM 1.2), the memory is a file without a name, which is handed to
 /// the server. Such memory cannot be mistaken for another's, has no limits of its own, and works
-/// from within a container. Otherwise it is a segment of System V. Nobody else may open this
-/// segment (mode 0600), and its name is removed at once. The kernel frees either kind with the last
-/// process that has it, however that process ends.
+/// from within a container. Otherwise the memory is a segment of System V. Nobody else may open
+/// this segment (mode 0600), and its name is removed at once. The kernel frees either kind with the
+/// last process that has it, however that process ends.
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:

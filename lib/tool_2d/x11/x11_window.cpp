@@ -45,9 +45,8 @@ constexpr unsigned char icon_file[] = {
 #include "packaging/desktop/icon.png.bytes"
 };
 
-/// The library's icon for desktops, in the form of _NET_WM_ICON. It is width, height, and
-/// 0xAARRGGBB for each pixel from the top left on. Each number is a long, whatever its
-/// size.
+/// The library's icon for desktops, in the form of _NET_WM_ICON. Its numbers are width, height, and
+/// 0xAARRGGBB for each pixel from the top left on. Each number is a long, whatever size a long has.
 /// Source:  Extended Window Manager Hints, 1.3.
 std::vector<long> icon() {
     png_image picture{};

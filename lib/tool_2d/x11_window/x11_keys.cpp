@@ -56,7 +56,7 @@ constexpr std::array<std::pair<KeySym, int>, 34> named_keys{{
     {XK_Meta_R, l3d_key_alt},
 }};
 
-/// The key of a keysym. It is 0 for a keysym that is none of our keys.
+/// The key of a keysym. 0 for a keysym that is none of our keys.
 int key_of_keysym(KeySym keysym) {
     const auto* named = std::ranges::find(named_keys, keysym, &std::pair<KeySym, int>::first);
     if (named != named_keys.end())
@@ -100,8 +100,8 @@ bool is_latin(Display* display, unsigned group) {
     return letters >= half_of_alphabet;
 }
 
-/// The Latin letter or sign of a key whose own group has another script. It comes from the first
-/// group with Latin letters, or else from the key's place.
+/// The Latin letter or sign of a key whose own group has another script. The letter comes from the
+/// first group with Latin letters, or else from the key's place.
 int latin_key(const XKeyEvent& event, unsigned own_group) {
     const int level = (event.state & ShiftMask) != 0 ? 1 : 0;
     for (unsigned group = 0; group < XkbNumKbdGroups; ++group) {

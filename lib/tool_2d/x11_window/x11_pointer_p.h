@@ -23,7 +23,7 @@ struct x11_way {
 ///
 /// A held pointer is put back to the window's middle whenever it comes far from the middle, so that
 /// it can move without end. X tells only places. The program gets the differences of places,
-/// without the leaps back. This also works on servers over a network or nested in others.
+/// without the leaps back. Holding also works on servers over a network or nested in others.
 /// Lives:   borrows the window.
 /// Cost:    nothing waits for an answer; a leap every quarter of a window.
 class x11_pointer {

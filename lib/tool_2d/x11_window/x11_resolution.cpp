@@ -79,8 +79,8 @@ private:
     bool is_whole_ = true;
 };
 
-/// The factor by which `dpi` exceeds the usual resolution, at least 1. It is 1 if `dpi` is not a
-/// number.
+/// The factor by which `dpi` exceeds the usual resolution, at least 1. For a `dpi` that is not a
+/// number, it is 1.
 double fineness_of(double dpi) {
     const double wanted = dpi / usual_dpi;
     return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;

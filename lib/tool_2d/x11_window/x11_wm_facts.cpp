@@ -102,8 +102,8 @@ xcb_get_property_cookie_t x11_wm_facts::ask_property(Window window, name propert
                             XCB_GET_PROPERTY_TYPE_ANY, 0, longest_property);
 }
 
-/// The answer about a property. It is empty if there is no such property, or if the property is not
-/// a list of numbers.
+/// The answer about a property. The answer is empty if there is no such property, or if the
+/// property is not a list of numbers.
 std::vector<std::uint32_t> x11_wm_facts::hear_property(xcb_get_property_cookie_t cookie) const {
     const unique_reply<xcb_get_property_reply_t> reply(
         xcb_get_property_reply(xcb_, cookie, nullptr));
