@@ -69,7 +69,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<l3d_color> face_colors;        ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names of the materials
-    std::vector<l3d_material> looks;           ///< optional, one per entry of `materials`: its look
+    std::vector<l3d_material> looks;           ///< optional: the look of each entry of `materials`
     /// Named runs of faces: optional, in the order of their first faces.
     std::vector<l3d_part_run> parts;
 

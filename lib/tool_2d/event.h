@@ -24,7 +24,7 @@ enum l3d_key : int {
     l3d_key_page_down,
     l3d_key_home,
     l3d_key_end,
-    l3d_key_f1, ///< F1. F2 to F10 follow it; F11 is the event `fullscreen`
+    l3d_key_f1, ///< F1; F2 to F10 have the next numbers, F11 is the event `fullscreen`
     l3d_key_insert = l3d_key_f1 + 10,
     l3d_key_shift,   ///< either Shift key, alone; only l3d_pipeline::any_event tells of it
     l3d_key_control, ///< either Control key, told as l3d_key_shift is

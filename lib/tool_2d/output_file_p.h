@@ -50,7 +50,7 @@ private:
     void link();
     void sync_folder() const;
 
-    std::string path_;      ///< as the user wrote it, for messages
+    std::string path_;      ///< the path as the user wrote it, for messages
     std::string target_;    ///< the file that `path_` leads to through links
     std::string temporary_; ///< the name before commit(); empty: the file has none
     unique_file file_;

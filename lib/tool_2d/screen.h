@@ -18,13 +18,13 @@ struct L3D_PUBLIC l3d_probe {
     /// How well the thing serves.
     enum class verdict {
         good,    ///< nothing is missing
-        limited, ///< it serves, but not as well as it could
-        bad      ///< it does not serve
+        limited, ///< the thing serves, but not as well as it could
+        bad      ///< the thing does not serve
     };
 
     std::string what;                ///< the thing, such as "MIT-SHM" or "visual"
     std::string result;              ///< the finding, or the reason why there is none
-    verdict outcome = verdict::good; ///< how well it serves
+    verdict outcome = verdict::good; ///< how well the thing serves
     std::string remedy; ///< the thing to install, set or leave out; empty if nothing is wrong
 };
 
@@ -160,9 +160,9 @@ struct L3D_PUBLIC l3d_screen_request {
 struct L3D_PUBLIC l3d_service {
     /// How well the kind of screen serves, from best to worst.
     enum class level {
-        fully,        ///< it serves as its name says
-        partly,       ///< it serves, but in another way than its name says
-        not_here,     ///< it cannot serve, and another display would not help
+        fully,        ///< the screens serve as the name of the kind says
+        partly,       ///< the screens serve, but in another way than the name says
+        not_here,     ///< no screen can serve, and another display would not help
         no_display,   ///< there is no display that answers
         display_lost, ///< the display went away while it was asked
     };

@@ -39,7 +39,7 @@ struct L3D_PUBLIC l3d_pixel_layout {
     std::uint32_t green_mask = 0x00FF00;          ///< the bits of green in a pixel
     std::uint32_t blue_mask = 0x0000FF;           ///< the bits of blue in a pixel
     std::endian byte_order = std::endian::native; ///< order of a stored pixel's bytes
-    int scanline_pad = 32; ///< bits; every row starts at a multiple of this number
+    int scanline_pad = 32; ///< every row starts at a multiple of this number of bits
     l3d_color_class color_class = l3d_color_class::true_color; ///< how colours are found
 
     /// Describes the layout in one phrase: class, depth, bits per pixel, byte order, masks.
@@ -64,7 +64,7 @@ struct L3D_PUBLIC l3d_palette {
     int red = 0;                       ///< levels of red, or of gray on a ramp
     int green = 0;                     ///< levels of green; 1 on a ramp
     int blue = 0;                      ///< levels of blue; 1 on a ramp
-    std::vector<std::uint32_t> pixels; ///< empty: there is no palette, and masks are used
+    std::vector<std::uint32_t> pixels; ///< the native pixels; empty if masks are used instead
     /// The largest difference, in any channel and in 255ths, between the colour that a pixel shows
     /// and the value of the pixel's level. The difference is not 0 if the display's map had no room
     /// for exact colours.

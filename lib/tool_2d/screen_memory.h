@@ -56,7 +56,7 @@ private:
     void do_wait(std::chrono::nanoseconds, int) override {}
 
     l3d_image image_;  ///< the screen's own words; empty if the caller gave words
-    l3d_pixels words_; ///< the words of image_, or the given ones
+    l3d_pixels words_; ///< the words of image_, or those that the caller gave
     l3d_packed_pixels packed_{};
     l3d_screen_info info_;
     std::unique_ptr<l3d_detail::pixel_writer> writer_; ///< writes packed pixels; null without them

@@ -366,7 +366,7 @@ private:
     std::string object_; ///< the name of the current object
     /// Whether no mesh or camera has taken object_ as its name yet.
     bool has_new_name_ = false;
-    std::int64_t vertices_ = 0, faces_ = 0; ///< numbers that the current mesh promised
+    std::int64_t vertices_ = 0, faces_ = 0; ///< counts that the current mesh promised
     /// Indices of the current mesh's first vertex and first face.
     std::size_t base_ = 0, first_face_ = 0;
     l3d_detail::corner_normals normals_;

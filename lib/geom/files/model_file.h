@@ -129,7 +129,7 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<std::uint32_t> curve_materials{};
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
     l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
-    std::vector<l3d_patch_error> patch_errors{}; ///< optional, one per patch: its error
+    std::vector<l3d_patch_error> patch_errors{}; ///< optional: the error of each patch
     /// Optional, one per patch: the number of the patch's face in the file, from 1.
     std::vector<std::uint32_t> patch_faces{};
     /// Optional: groups of the patches and curves, in the order of these arrays. Then `placements`

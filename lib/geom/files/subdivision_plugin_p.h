@@ -51,8 +51,8 @@ struct subdivision_sink {
 /// The result of subdivide(): the error of the patches, and the effort.
 struct subdivision_outcome {
     double error;         ///< bound of the patches' distance from the limit surface
-    std::uint32_t levels; ///< subdivisions around the irregular vertices
-    std::uint32_t caps;   ///< patches that are not exact
+    std::uint32_t levels; ///< number of subdivisions around irregular vertices
+    std::uint32_t caps;   ///< number of patches that are not exact
 };
 
 /// The interface of the plug-in libl3d_subdivision.so, its symbol l3d_subdivision_plugin.

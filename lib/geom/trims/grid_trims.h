@@ -104,7 +104,8 @@ private:
     std::vector<corner_side> sides_;
     std::vector<grid_side> grid_sides_;
     std::vector<std::array<std::uint32_t, 2>> cut_;
-    std::array<std::vector<stretch>, 4> kept_; ///< sides in the order of l3d_trim_triangles
+    /// Stretches of the sides, in the order of l3d_trim_triangles.
+    std::array<std::vector<stretch>, 4> kept_;
 };
 
 #endif

@@ -91,7 +91,7 @@ private:
     void find_followed();
     void find_level_border();
 
-    const l3d_trim_region* region_ = nullptr; ///< valid during cut()
+    const l3d_trim_region* region_ = nullptr; ///< the region that is cut; valid during cut()
     l3d_trim_box box_;
     l3d_trapezoids trapezoids_;
     std::vector<std::array<l3d_trim_place, 3>> triangles_;

@@ -26,8 +26,8 @@ template <class Reply> using unique_reply = std::unique_ptr<Reply, x11_reply_fre
 /// The way in which the server gets our memory.
 enum class x11_sharing {
     unproven, ///< no way is proven yet
-    files,    ///< as files that are handed over
-    segments, ///< as segments of System V
+    files,    ///< the server gets memory as files that are handed over
+    segments, ///< the server gets memory as segments of System V
 };
 
 /// Owns a Display.

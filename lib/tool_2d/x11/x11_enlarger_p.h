@@ -45,7 +45,8 @@ public:
     void show(const l3d_pixel_box& box) const;
 
 private:
-    static constexpr std::size_t doublings = 2; ///< as many as lead to the largest factor
+    /// The number of doublings that make the largest factor.
+    static constexpr std::size_t doublings = 2;
 
     GC make_copier() const;
     GC make_filler(const std::vector<XRectangle>& gaps) const;

@@ -113,7 +113,7 @@ private:
     unsigned watchers_ = 0; ///< the bits of the watchers that need all motion of the pointer
     Window window_ = 0;
     GC graphics_ = nullptr;
-    unsigned long ground_ = 0; ///< the window's background, a pixel of the display's
+    unsigned long ground_ = 0; ///< the window's background, as a native pixel
 };
 
 } // namespace l3d_detail

@@ -110,7 +110,7 @@ private:
     std::vector<XEvent> waiting_; ///< events that wait for the keymap: its change, and all after it
     bool covered_ = false, unmapped_ = false, away_ = false;
     Time turned_at_ = 0;           ///< time at which a fine wheel last turned
-    double turned_ = 0;            ///< notches since the last full one
+    double turned_ = 0;            ///< notches that the wheel turned since its last full notch
     bool hidden_ = false;          ///< whether the program was last told of hide
     bool exposure_is_due_ = false; ///< expose is told as soon as the window can be seen
     /// For each key code, the key whose press was told; 0: the key is up.

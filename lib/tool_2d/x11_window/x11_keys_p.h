@@ -44,8 +44,9 @@ private:
 
     std::unique_ptr<xkb_context, freer> context_;
     std::unique_ptr<xkb_compose_table, freer> table_;
-    std::unique_ptr<xkb_compose_state, freer> state_; ///< null without a table
-    bool is_open_ = false;                            ///< whether opening the table was tried
+    /// The sequence that is being typed; null without a table.
+    std::unique_ptr<xkb_compose_state, freer> state_;
+    bool is_open_ = false; ///< whether opening the table was tried
 };
 
 } // namespace l3d_detail

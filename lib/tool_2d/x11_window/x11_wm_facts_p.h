@@ -22,8 +22,10 @@ struct x11_facts {
     bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
     bool fullscreen = false;        ///< the manager says that our window is fullscreen
     bool away = false; ///< our window is minimised, on another workspace, or not viewable
-    std::vector<l3d_pixel_box> monitors{}; ///< places in the display's pixels; empty: not known
-    double fineness = 1; ///< as x11_fineness gives it, by a manager of settings or the resources
+    /// The places of monitors, in display pixels; empty: not known.
+    std::vector<l3d_pixel_box> monitors{};
+    /// The display's fineness (x11_fineness), by a manager of settings or by resources.
+    double fineness = 1;
 };
 
 /// Keeps the facts up to date by properties that others write: of our window, of the root, and of
