@@ -10,7 +10,7 @@
 namespace l3d_detail {
 
 /// Joins a number and its noun, as in "1 patch" and "2 patches".
-/// Expects: the noun in its plural, which ends with s: patches, faces, polygons.
+/// Expects: `things` is the noun's plural, which must end with s: patches, faces, polygons.
 inline std::string counted(std::string number, std::string_view things) {
     if (number == "1")
         things.remove_suffix(things.ends_with("ches") ? 2 : 1);

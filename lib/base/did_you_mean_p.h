@@ -15,8 +15,9 @@
 
 namespace l3d_detail {
 
-/// The edit distance of two words: the number of letters to insert, delete, replace or swap with
-/// the next one. Capitals count as small letters.
+/// The edit distance of two words: the least number of changes that make one word of the other. A
+/// change inserts, deletes or replaces a letter, or swaps it with the next one. Capitals count as
+/// small letters.
 /// Source:  optimal string alignment.
 inline std::size_t slips_between(std::string_view a, std::string_view b) {
     const auto same = [](char x, char y) {
@@ -42,8 +43,8 @@ inline std::size_t slips_between(std::string_view a, std::string_view b) {
     return row[b.size()];
 }
 
-/// Gives "; did you mean 'lid'?" for the word of the list that is nearest to `wrong`. Gives nothing
-/// if that word differs by more than one slip for every three letters of `wrong`. One slip is
+/// Gives "; did you mean 'lid'?" for the word of `words` that is nearest to `wrong`. Gives "" if
+/// the two words differ by more than one slip for every three letters of `wrong`. One slip is
 /// always allowed.
 template <class Words> std::string did_you_mean(std::string_view wrong, const Words& words) {
     constexpr std::size_t letters_a_slip = 3, longest = 64; // longer words are not compared

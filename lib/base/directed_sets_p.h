@@ -63,14 +63,15 @@ public:
     }
 
     /// Whether some line of a set was joined to itself in reverse, as on a Moebius band.
-    /// Expects: the set's representative.
+    /// Expects: `line` is the set's representative.
     bool runs_both_ways(std::size_t line) const { return lines_[line].runs_both_ways; }
 
 private:
     struct member {
-        place above; ///< a line closer to the representative, or the representative itself
+        place above; ///< the next line on the way to the representative, which has itself here
         std::size_t size = 1;
-        /// Whether a line was joined to itself in reverse; as size, valid in representatives only.
+        /// Whether a line of the set was joined to itself in reverse. Only representatives keep
+        /// this member and `size` up to date.
         bool runs_both_ways = false;
     };
 

@@ -10,8 +10,8 @@
 namespace l3d_detail {
 
 /// The number of bytes of the UTF-8 character at the beginning of a text. It is 0 for a control
-/// character, and for bytes that are not UTF-8. Overlong forms are not UTF-8; those of control
-/// characters begin with 0xC0, 0xE0 0x80 or 0xF0 0x80.
+/// character, and for bytes that are not UTF-8. Overlong forms are not UTF-8. Overlong forms of
+/// control characters begin with 0xC0, 0xE0 0x80 or 0xF0 0x80.
 /// Expects: the text is not empty.
 inline std::size_t printable_size(std::string_view text) {
     const auto byte = [text](std::size_t i) { return static_cast<unsigned char>(text[i]); };

@@ -12,7 +12,7 @@
 /// The third number: counted up when something is mended and nothing else differs.
 #define L3D_VERSION_PATCH 0
 
-/// The version as one number, for `#if L3D_VERSION >= 100`: two digits for each part.
+/// The version as one number with two digits for each part, for `#if L3D_VERSION >= 100`.
 #define L3D_VERSION (L3D_VERSION_MAJOR * 10000 + L3D_VERSION_MINOR * 100 + L3D_VERSION_PATCH)
 
 /// The version as text.

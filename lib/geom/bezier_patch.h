@@ -171,8 +171,8 @@ template <class T, int N> struct L3D_PUBLIC l3d_bezier_patch {
         return halves;
     }
 
-    /// The least and the largest coordinates of the control points. They bound the whole patch,
-    /// which lies in the convex hull of these points.
+    /// The least and the largest coordinates of the control points. These coordinates bound the
+    /// whole patch, which lies in the convex hull of the control points.
     std::pair<point, point> bounds() const {
         std::pair<point, point> box{points[0], points[0]};
         for (const point& p : points)
@@ -199,8 +199,8 @@ template <class T, int N> l3d_vector<T, N - 1> l3d_projected(const l3d_vector<T,
     return result;
 }
 
-/// The derivatives by u and by v of a rational patch as a surface S in space, whose weight is w.
-/// The product rule (S w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
+/// The derivatives by u and by v of the surface S in space that a rational patch stands for. If w
+/// is the patch's weight, (S w)' = S' w + S w' gives S' = ((S w)' - S w') / w.
 /// Expects: the weight at (u, v) is not zero.
 template <class T, int N>
 std::pair<l3d_vector<T, N - 1>, l3d_vector<T, N - 1>>

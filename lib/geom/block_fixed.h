@@ -11,8 +11,9 @@
 ///
 /// Differences are sums of values with binomial weights. The first difference is a sum of two
 /// values, so it is below 2^30, and the second is below 2^31. The third is only used after three
-/// steps or more. Then it is at most 6 / 27 of a third difference of control values, 6 / 27 * 8 *
-/// 2^29 < 2^30. Additions wrap around, so numbers out of range do no harm elsewhere.
+/// steps or more. There, the third is at most 6 / 27 of a third difference of control values, 6 /
+/// 27 * 8 * 2^29 < 2^30. Additions wrap around. So a number out of range does not spoil later
+/// numbers that are in range.
 /// Expects: largest >= 0, finite.
 inline int l3d_block_fraction_bits(double largest) {
     constexpr int value_bits = 29;

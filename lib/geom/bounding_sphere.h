@@ -9,7 +9,8 @@
 #include <algorithm>
 #include <span>
 
-/// A ball around a thing's vertices. Two things cannot meet unless their balls do.
+/// A ball that holds all vertices of an object, for a fast test before an exact one. Two objects
+/// cannot meet unless their balls do.
 ///
 /// Units: those of the vertices.
 struct L3D_PUBLIC l3d_bounding_sphere {
@@ -48,7 +49,8 @@ struct L3D_PUBLIC l3d_bounding_sphere {
         return {vector(moved[0], moved[1], moved[2]), radius * scale};
     }
 
-    /// Whether the distance of the centres is less than the sum of the radii.
+    /// Whether two balls overlap: the distance of their centres is less than the sum of their
+    /// radii.
     bool touches(const l3d_bounding_sphere& other) const {
         const double reach = radius + other.radius;
         const vector way = other.centre - centre;

@@ -13,18 +13,19 @@
 #include <cstdint>
 #include <utility>
 
-/// A polynomial of one variable as its value and its forward differences at a step h.
+/// A polynomial of one variable, for walks along it by additions alone. It is held as its value and
+/// its forward differences for a step h.
 ///
 /// Shape:   d[0] is the value at the current parameter, d[k] the k-th forward difference there.
 /// Units:   those of the control values. The parameter runs from 0 to 1, so h is 1 / steps.
 /// Cost:    `Degree` additions a step, no multiplication.
 /// Source:  Newton's forward differences. step, halve and double_step are the operators E, L and
 ///          the inverse of L in Lien, Shantz, Pratt, Adaptive Forward Differencing for Rendering
-///          Curves and Surfaces, SIGGRAPH 1987. They are derived again here from f(t + h),
+///          Curves and Surfaces, SIGGRAPH 1987. The operators are derived again here from f(t + h),
 ///          f(t + h/2), f(t + 2h).
 template <class T, int Degree> struct l3d_forward_difference {
     static_assert(Degree == 3, "halve and double are written for cubics");
-    std::array<T, Degree + 1> d; ///< the value, then differences of the first order on
+    std::array<T, Degree + 1> d; ///< the value, then the differences of orders 1 to Degree
 
     /// Prepares a walk in `steps` steps from t = 0, for a polynomial with Bernstein coefficients b.
     ///
@@ -57,8 +58,8 @@ template <class T, int Degree> struct l3d_forward_difference {
         d[2] = d[2] + d[3];
     }
 
-    /// Halves the step. The difference operator D' of the new step follows from that of the old
-    /// one: 1 + D' = (1 + D)^(1/2). Powers above D^3 vanish, so
+    /// Halves the step. The difference operator D' of the new step follows from the operator D of
+    /// the old step: 1 + D' = (1 + D)^(1/2). Powers above D^3 vanish, so
     ///     D' = D/2 - D^2/8 + D^3/16,  D'^2 = D^2/4 - D^3/8,  D'^3 = D^3/8.
     /// Expects: every difference is in range. (step() alone needs less: additions are exact modulo
     ///          2^bits, so only the values that are used must be in range.)
@@ -112,15 +113,15 @@ double l3d_forward_difference_error(int n, double p, double b1, double b2, doubl
     return u * (initial + adding) + cancelling + half_ulp * (1 + steps + pairs + triples);
 }
 
-/// The work of an adaptive walk along a curve, for programs that show it.
+/// Counts the work of an adaptive walk along a curve, for programs that show these numbers.
 struct l3d_step_counts {
     std::int64_t steps = 0;     ///< steps taken, each of three additions a coordinate
     std::int64_t halvings = 0;  ///< halvings of the step
     std::int64_t doublings = 0; ///< doublings of the step
 };
 
-/// Walks along a curve to its end. It halves a step that would move a coordinate by more than a
-/// pixel. It doubles the step where the next step would move every coordinate by at most half a
+/// Walks along a curve to its end. The walk halves a step that would move a coordinate by more than
+/// a pixel. It doubles the step where the next step would move every coordinate by at most half a
 /// pixel, if steps of twice the length still end at the curve's end.
 ///
 /// The walk is exact if T is fixed point with g + 3 finest fraction bits, and control values are
@@ -167,9 +168,9 @@ l3d_step_counts l3d_walk_adaptively(std::array<l3d_forward_difference<T, 3>, Coo
     return counts;
 }
 
-/// A cubic Bezier polynomial with whole control values, for walks without rounding. Whenever a
-/// split or a walk doubles the number of steps, it multiplies the values by 8. So every difference
-/// is a whole number. The level counts these doublings.
+/// A cubic Bezier polynomial with whole control values, for walks without rounding. A split or a
+/// walk that doubles the number of steps also multiplies the values by 8. So every difference is a
+/// whole number. The level counts these doublings.
 ///
 /// Units:   the true values are the stored ones divided by 8^level.
 /// Expects: control values of at most 2^24 in magnitude at level 0, and levels up to most_level.

@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 
-/// The colour of a surface, and its highlights.
+/// The look of a surface: its colour, highlights, opacity and picture.
 ///
 /// Units: colours are pixel words 0x00RRGGBB, encoded as sRGB. Where a white surface would show the
 ///        grey g, 0 to 255, a channel of colour c shows round(c g / 255).
@@ -29,7 +29,7 @@ struct L3D_PUBLIC l3d_material {
     /// no_picture. The picture's light is multiplied by that of `color`. Patches have no picture.
     int picture = no_picture;
 
-    static constexpr int no_picture = -1; ///< the value of `picture` without a picture
+    static constexpr int no_picture = -1; ///< the value of `picture` that stands for none
 
     /// Whether a surface with this material looks like one without any material.
     bool is_plain() const {

@@ -42,7 +42,7 @@ public:
     l3d_vector<T, 4> row(int i) const noexcept {
         return {columns_[0][i], columns_[1][i], columns_[2][i], columns_[3][i]};
     }
-    /// The four numbers of a column: the image of axis i, or for i = 3 that of the origin.
+    /// The four numbers of a column: the image of axis i or, if i is 3, the image of the origin.
     /// Expects: 0 <= i < 4.
     l3d_vector<T, 4> column(int i) const noexcept { return columns_[i]; }
 

@@ -20,8 +20,8 @@ using point = l3d_point<double>;
 
 constexpr index nowhere = 0xffffffff;
 
-/// Cuts one mesh. Until `compact`, indices are those of the given mesh, and new vertices follow its
-/// own vertices.
+/// Cuts one mesh. Before compact(), indices are those of the given mesh, and new vertices follow
+/// the mesh's own vertices.
 class cutter {
 public:
     cutter(const l3d_polygon_mesh& mesh, const l3d_plane<double>& plane)
@@ -154,7 +154,7 @@ private:
     std::vector<l3d_polygon_mesh::vector> normals_; ///< normals of new vertices
     std::vector<std::uint32_t> colors_;             ///< colours of new vertices
     std::vector<index> corners_;
-    std::map<edge, index> crossings_; ///< by the ends of the cut edge, the one in front first
+    std::map<edge, index> crossings_; ///< by the ends of the cut edge, the end in front first
     std::map<edge, std::size_t> rim_; ///< edges of caps, each with the face beside it
 };
 

@@ -32,10 +32,10 @@ private:
 
 /// The normal dS/du x dS/dv of a bicubic patch in Bernstein form, not normalised.
 ///
-/// Where an edge of the patch is collapsed, the cross product vanishes along it although the
-/// tangent plane exists. The net then holds the cross product divided by the vanishing factor, as
-/// often as needed; it is u, 1 - u, v or 1 - v. The quotient has the cross product's direction
-/// inside the patch, and the limit of that direction on the edge. If the normal vanishes
+/// Where an edge of the patch is collapsed, the cross product vanishes along the edge although the
+/// tangent plane exists. The cross product then has a factor u, 1 - u, v or 1 - v. The net holds
+/// the quotient by this factor, divided as often as needed. The quotient has the cross product's
+/// direction inside the patch, and the limit of that direction on the edge. If the normal vanishes
 /// everywhere, as far as rounding can tell, the net is 0.
 ///
 /// Shape:  36 vectors, index 6 * row + column, columns along u.
@@ -64,7 +64,7 @@ public:
     const vector& at(int row, int column) const { return net_.points[index(row, column)]; }
     const l3d_normal_polynomial& polynomial() const { return net_; }
 
-    /// The normal at (u, v), with any length. Source: de Casteljau.
+    /// A vector of any length along the normal at (u, v). Source: de Casteljau.
     vector evaluate(double u, double v) const;
 
     /// The coefficients as floats, one array per component: [component][row][column].

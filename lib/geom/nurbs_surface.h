@@ -34,7 +34,7 @@ struct L3D_PUBLIC l3d_bspline_direction {
     /// The number of control points along this direction.
     std::size_t points() const { return knots.size() - static_cast<std::size_t>(degree) - 1; }
 
-    /// The number of spans between different knots within [from, to]. Each is a Bezier segment
+    /// The number of spans between different knots within [from, to]. Each span is a Bezier segment
     /// along this direction.
     std::size_t segments() const;
 
@@ -67,14 +67,14 @@ struct L3D_PUBLIC l3d_bspline_direction {
 ///          l3d_bspline_direction expects.
 /// Cost:    the square of a degree per control point and patch.
 /// Source:  Ramshaw, Blossoming: A Connect-the-Dots Approach to Splines, 1987. The Bezier point i
-///          of the span [a, b] is the blossom of n - i arguments a and i arguments b. That equals
-///          inserting both knots to full multiplicity.
+///          of the span [a, b] is the blossom of n - i arguments a and i arguments b. The same
+///          points result if both knots are inserted to full multiplicity.
 L3D_PUBLIC std::vector<l3d_patch_points>
 l3d_bezier_patches(const l3d_bspline_direction& u, const l3d_bspline_direction& v,
                    const std::vector<std::array<double, 3>>& points,
                    std::span<const double> weights = {});
 
-/// A place of a surface, with its derivatives by u and v up to the second.
+/// A place of a surface, with the surface's first and second derivatives by u and v.
 struct L3D_PUBLIC l3d_surface_derivatives {
     /// A place or a direction.
     using vector = l3d_vector<double, 3>;
@@ -97,7 +97,7 @@ public:
     /// A place, or a control point.
     using vector = l3d_vector<double, 3>;
 
-    /// A surface of these knots, control points and weights, which are all 1 if none are given.
+    /// A surface of these knots, control points and weights. All weights are 1 if none are given.
     /// Errors: throws l3d_error(bad_input) with the text of complaint().
     l3d_nurbs_surface(l3d_bspline_direction u, l3d_bspline_direction v, std::vector<vector> points,
                       std::vector<double> weights = {});
@@ -121,11 +121,11 @@ public:
     /// The weights of the control points, in their order; empty if all are 1.
     const std::vector<double>& weights() const { return weights_; }
 
-    /// The loops in (u, v) that trim the surface, as l3d_patch_points has them; none if it is
+    /// The loops in (u, v) that trim the surface, as in l3d_patch_points. None if the surface is
     /// whole.
     const std::vector<l3d_trim_loop>& trims() const { return trims_; }
-    /// The same surface with these loops in the place of its own. l3d_trim_loop_of makes a loop of
-    /// curves.
+    /// The same surface, trimmed by these loops instead of its own. l3d_trim_loop_of makes a loop
+    /// from curves.
     ///
     /// On a surface that closes on itself, loops may cross the seam where it closes. A curve may
     /// end at one side of the parameters where the next begins at the other, and curves may go on
@@ -135,8 +135,8 @@ public:
     ///         that go around twice, or both ways.
     l3d_nurbs_surface trimmed(std::span<const l3d_trim_loop> loops) const;
 
-    /// Moves a control point, and sets its weight. Other points keep their weights, or get 1 if
-    /// there were none.
+    /// Moves a control point, and sets its weight. Other points keep their weights. If the surface
+    /// had no weights, the others get 1.
     ///
     /// Expects: an index of points(), finite coordinates of magnitude at most 1e12, and a weight
     ///          from 1e-100 to 1e12.
@@ -144,8 +144,8 @@ public:
 
     /// The place at (u, v). Expects: u().from <= u <= u().to, and v alike.
     vector evaluate(double u, double v) const;
-    /// The place at (u, v) with its derivatives. At a knot, they are those of the span that begins
-    /// there.
+    /// The place at (u, v), and the derivatives there. At a knot, the derivatives are those of the
+    /// span that begins at the knot.
     /// Expects: as evaluate.
     l3d_surface_derivatives derivatives(double u, double v) const;
 
@@ -170,7 +170,7 @@ private:
     std::vector<l3d_trim_loop> trims_;
 };
 
-/// A place of a curve, with the first and second derivative by its parameter.
+/// A point of a curve, with the curve's first and second derivatives by its parameter.
 struct L3D_PUBLIC l3d_curve_jet {
     /// A place or a direction.
     using vector = l3d_vector<double, 3>;
@@ -189,7 +189,7 @@ public:
     /// A place, or a control point.
     using vector = l3d_vector<double, 3>;
 
-    /// A curve of these knots, control points and weights, which are all 1 if none are given.
+    /// A curve of these knots, control points and weights. All weights are 1 if none are given.
     /// Errors: throws l3d_error(bad_input) with the text of complaint().
     l3d_nurbs_curve(l3d_bspline_direction along, std::vector<vector> points,
                     std::vector<double> weights = {});
@@ -219,8 +219,8 @@ public:
 
     /// The place at t. Expects: along().from <= t <= along().to.
     vector evaluate(double t) const;
-    /// The place at t with its derivatives. At a knot, they are those of the span that begins
-    /// there.
+    /// The place at t, and the derivatives there. At a knot, the derivatives are those of the span
+    /// that begins at the knot.
     /// Expects: as evaluate.
     l3d_curve_jet derivatives(double t) const;
 
@@ -241,13 +241,13 @@ private:
 
 /// The edge that a curve of a loop follows, and the edge's parameters at the curve's ends.
 struct L3D_PUBLIC l3d_edge_use {
-    std::uint32_t edge = l3d_no_edge; ///< the edge's index in the model
+    std::uint32_t edge = l3d_no_edge; ///< the edge's index in the model; l3d_no_edge for none
     /// The parameters of the edge at along().from and along().to of the curve.
     double from = 0, to = 1;
 };
 
 /// Makes a loop of curves that follow each other. The curves' x and y are u and v; z is ignored.
-/// Shape: `edges` has an entry for each curve, or none.
+/// Shape: `edges` has an entry for each curve, or is empty.
 L3D_PUBLIC l3d_trim_loop l3d_trim_loop_of(std::span<const l3d_nurbs_curve> curves,
                                           std::span<const l3d_edge_use> edges = {});
 
@@ -272,14 +272,14 @@ L3D_PUBLIC l3d_nurbs_surface l3d_ruled(l3d_nurbs_curve first, l3d_nurbs_curve se
 /// A surface that approximates a pipe along a curve, and its measured error.
 struct L3D_PUBLIC l3d_pipe {
     l3d_nurbs_surface surface; ///< u runs around the curve, v along it
-    /// The largest distance of the surface's points from the exact circles. It is measured at 9
-    /// places along each span and 8 around, not proven.
+    /// The largest distance of the surface's points from the exact circles. This distance is
+    /// measured at 9 places along each span and 8 around, not proven.
     double measured = 0;
 };
 
 /// Makes a pipe along a curve: circles around it, each perpendicular to the curve. An exact pipe is
-/// not a NURBS surface. This one has exact circles at the ends of its spans; their centres and axes
-/// are cubic along the curve.
+/// not a NURBS surface. The result has exact circles at the ends of its spans; the circles' centres
+/// and axes are cubic along the curve.
 ///
 /// Expects: a curve whose first derivative vanishes nowhere; radius and tolerance > 0.
 /// Errors:  throws l3d_error(bad_input) if 1024 spans do not keep the tolerance.

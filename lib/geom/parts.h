@@ -13,7 +13,7 @@
 #include <string_view>
 #include <vector>
 
-/// A named run of faces or patches. It ends where the next run begins.
+/// Consecutive faces or patches with a common name. The run ends where the next run begins.
 struct L3D_PUBLIC l3d_part_run {
     std::string name;        ///< the part's name; empty if the run belongs to no part
     std::uint32_t first = 0; ///< index of the run's first face or patch
@@ -54,7 +54,7 @@ public:
     /// Expects: indices of names(), and the count of the constructor.
     std::vector<bool> things_of(std::span<const std::size_t> parts, std::size_t count) const;
 
-    /// The same parts as runs over the things.
+    /// The parts as runs of things, as the constructor takes them.
     std::vector<l3d_part_run> runs() const;
 
     /// The error message for a name that no part has; "" if a part has it. The message lists 40

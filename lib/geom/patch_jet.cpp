@@ -30,7 +30,7 @@ vector second_of(const four& p, double t) {
            ((p[3] - p[2]) - (p[2] - p[1])) * (6 * t);
 }
 
-/// Evaluates each row of the control net at parameter u by the function `of`.
+/// Applies the function `of` to each row of the control net, at parameter u.
 template <class Of> four of_rows(const l3d_bezier_patch<double, 3>& patch, double u, const Of& of) {
     four result;
     for (int r = 0; r < 4; ++r)

@@ -11,11 +11,11 @@
 #include <tuple>
 #include <type_traits>
 
-/// A rectangle of a patch's parameters, and the homogeneous image net of the patch over it.
-/// Searches halve such parts, whose nets bound the patch ever more closely.
+/// A rectangle of a patch's parameters, and the homogeneous image net of the patch over the
+/// rectangle. Searches halve parts, since the net of a smaller part bounds the patch more closely.
 struct l3d_patch_part {
     l3d_image_net net;
-    double u0 = 0, u1 = 1, v0 = 0, v1 = 1; ///< the rectangle, exactly
+    double u0 = 0, u1 = 1, v0 = 0, v1 = 1; ///< the rectangle's sides, without rounding errors
     int depth = 0; ///< the number of cuts that led to this part from the whole patch
 };
 
@@ -41,7 +41,7 @@ template <class Piece> std::array<Piece, 2> l3d_halves(const Piece& p, bool alon
 }
 
 /// Cuts a net at quarters of u and of v into 4 x 4 nets.
-/// Shape: net 4 * row + column of the result; columns along u.
+/// Shape: index 4 * row + column, columns along u.
 template <class Net> std::array<Net, 16> l3d_blocks_of(const Net& net) {
     std::array<Net, 16> result;
     std::array<Net, 4> rows;

@@ -16,7 +16,7 @@
 
 /// The place where a line meets a plane.
 template <class T> struct L3D_PUBLIC l3d_plane_crossing {
-    T t;             ///< 0 at the line's first point, 1 at the second; not restricted to these
+    T t;             ///< 0 at the line's first point, 1 at the second; it may lie beyond either
     l3d_point<T> at; ///< the place itself
     bool from_front; ///< whether the line's first point is in front of the plane
 };
@@ -40,8 +40,9 @@ template <class T> struct L3D_PUBLIC l3d_plane {
 
     /// The plane through three points which, seen from the front, run clockwise in left-handed axes
     /// and counterclockwise in right-handed ones.
-    /// Errors:  nothing if the points lie on a line: the sine of the angle at p0 is below 2^-10.
-    ///          Below that, a float's rounding of 2^-24 would turn the normal by more than 2^-14.
+    /// Errors:  nothing if the points lie on a line: the sine of the angle at p0 is below 2^-10. At
+    ///          a smaller sine, a float's rounding of 2^-24 would turn the normal by more than
+    ///          2^-14.
     static std::optional<l3d_plane> through(const l3d_point<T>& p0, const l3d_point<T>& p1,
                                             const l3d_point<T>& p2) noexcept {
         // Lengths are taken out first, so that neither large nor small triangles lose bits.

@@ -23,7 +23,7 @@
 /// index, as it finds the fixed vertices. Several polygons may share a list: the varying part is
 /// emptied once per frame, not per polygon.
 /// Shape:   indices 0 to fixed_size() - 1 are fixed, those from there to size() - 1 vary.
-/// Lives:   a value; a copy is deep. Adding an item makes references to others invalid.
+/// Lives:   a value; a copy is deep. Adding an item makes references to all items invalid.
 /// Cost:    no allocation once the largest frame has been seen.
 template <class Item> class L3D_PUBLIC l3d_two_part_list {
 public:
@@ -130,7 +130,7 @@ public:
         position_ = 0;
     }
 
-    /// Moves all vertices one step on; false if they have arrived.
+    /// Moves all vertices one step on. Returns false if this step was the last one.
     /// Expects: start() was called, and the last call returned true.
     bool step() {
         assert(position_ < steps_);
@@ -145,7 +145,7 @@ public:
         return position_ < steps_;
     }
 
-    /// The vertices on their way. `original` and `transformed` of a vertex are the same place.
+    /// The moving vertices. `original` and `transformed` of each vertex are the same place.
     l3d_vertex_list<T>& list() { return list_; }
 
 private:
@@ -184,8 +184,8 @@ std::array<l3d_position<T>, 4> l3d_window_corners(const l3d_position<T>& least,
 ///
 /// The polygon knows indices, not vertices; the caller passes the vertices in each call. With
 /// another list of vertices, such as the next picture of a movement, the polygon has another form.
-/// There are two lists of indices: the definition, which stays, and the clipped one, which is
-/// drawn.
+/// There are two lists of indices: the corners of the definition, which stay, and the clipped
+/// corners, which are drawn.
 /// Expects: corners in clockwise order on the screen, where y is down. Anticlockwise polygons are
 ///          clipped and drawn as well, but cannot serve as a window.
 /// Lives:   a value; a copy is deep.
@@ -203,12 +203,13 @@ public:
     /// Undoes all clipping: the clipped polygon has the corners of the whole one again.
     void init_clip_ivertices() { clip_ivertices_ = ivertices_; }
 
-    /// Cuts off the parts outside of a convex window; false, and no corners, if nothing is left.
+    /// Cuts off the parts outside of a convex window. Returns false, and leaves no corners, if
+    /// nothing is inside.
     ///
     /// A polygon that only touches the window from outside is outside. Corners keep their order. A
-    /// corner inside the window or on its border keeps its index. Others are replaced by new
-    /// vertices in the varying part. If two polygons share an edge, their new vertices on it are at
-    /// the same place.
+    /// corner inside the window or on its border keeps its index. Corners outside are replaced by
+    /// new vertices in the varying part. If two polygons share an edge, their new vertices on it
+    /// are at the same place.
     /// Shape:   `window` is an array, a vector or a span of l3d_position, its corners in clockwise
     ///          order on the screen. l3d_window_corners makes a rectangle.
     /// Expects: a window of at least three corners, and vertices as l3d_side_2d expects them.

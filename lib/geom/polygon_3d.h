@@ -12,7 +12,8 @@
 #include <span>
 #include <vector>
 
-/// A convex, planar polygon: a list of indices into a list of vertices that it shares with others.
+/// A convex, planar polygon: a list of indices into a list of vertices that several polygons may
+/// share.
 ///
 /// Shape:   as a face of l3d_polygon_mesh: the front is where (p1 - p0) x (p2 - p0) points to.
 /// Expects: three corners or more, each naming a vertex.
@@ -28,8 +29,8 @@ template <class T> struct L3D_PUBLIC l3d_polygon_3d {
     /// The mean of the corners.
     l3d_point<T> centre() const;
 
-    /// The plane through the first three corners that are not on a line; its normal is the
-    /// polygon's, a unit vector outward.
+    /// The plane through the first three corners that are not on a line. The plane's normal is a
+    /// unit vector that points outwards.
     /// Errors:  nothing if all corners are on a line.
     std::optional<l3d_plane<T>> plane() const;
 

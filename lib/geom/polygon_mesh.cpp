@@ -28,7 +28,8 @@ template <class T> bool absent_or(const std::vector<T>& array, std::size_t size)
 struct crossing {
     bool exists = false;
     std::size_t side = 0;
-    double share = 0; ///< where on the side: 0 at that corner, 1 at the next
+    /// Place of the crossing on this side: 0 at its first corner, 1 at its second.
+    double share = 0;
     l3d_polygon_mesh::vector place{0.0, 0.0, 0.0};
 };
 
@@ -95,7 +96,7 @@ void split_at(const crossing& at, std::size_t face, l3d_polygon_mesh& of, l3d_po
                                {p, place(3), place(0), p, place(2), place(1)});
 }
 
-/// Appends another mesh's array to an optional array. A mesh without the array counts as having
+/// Appends another mesh's array to an optional array. A mesh without the array counts as if it had
 /// `missing` for each element.
 template <class T>
 void append_optional(std::vector<T>& to, std::size_t size, const std::vector<T>& more,

@@ -69,7 +69,7 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     std::vector<l3d_color> face_colors;        ///< optional, one per face, 0x00RRGGBB
     std::vector<std::uint32_t> face_materials; ///< optional, one per face, index into `materials`
     std::vector<std::string> materials;        ///< names of the materials
-    std::vector<l3d_material> looks;           ///< optional, one per entry of `materials`: its look
+    std::vector<l3d_material> looks;           ///< optional: the look of each entry of `materials`
     /// Named runs of faces: optional, in the order of their first faces.
     std::vector<l3d_part_run> parts;
 
@@ -104,8 +104,8 @@ struct L3D_PUBLIC l3d_polygon_mesh {
     /// Source: Newell's sum over the sides.
     vector area_vector(std::span<const std::uint32_t> face) const;
 
-    /// Splits each face of four corners two of whose sides cross, as in a bow tie, into two
-    /// triangles. The triangles meet in a new vertex at the crossing, and face the same way as each
+    /// Splits each face of four corners into two triangles if two of its sides cross, as in a bow
+    /// tie. The triangles meet in a new vertex at the crossing, and face the same way as each
     /// other.
     /// Errors: as index_of.
     void uncross_faces();
@@ -143,10 +143,10 @@ enum class L3D_PUBLIC l3d_cut_end {
 
 /// Returns the part of a mesh in front of a plane, as a new mesh.
 ///
-/// Faces that meet at a cut edge share its new vertex. Vertices that no face uses are left out.
-/// Faces keep their colour, material and named part; looks and pictures are dropped. A cap takes
-/// colour and material from one of the cut faces around it. Call it with plane.flipped() for the
-/// other half.
+/// Faces that meet at a cut edge share the new vertex on this edge. Vertices that no face uses are
+/// left out. Faces keep their colour, material and named part; looks and pictures are dropped. A
+/// cap takes colour and material from one of the cut faces around it. The function returns the
+/// other half of the mesh for plane.flipped().
 /// Shape:   vertices and faces keep their order; new vertices follow. Caps come last, in the last
 ///          run of parts.
 /// Expects: mesh.is_valid(); convex faces. Caps are right for a closed mesh whose cut has no loop

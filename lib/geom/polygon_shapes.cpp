@@ -22,7 +22,7 @@ std::uint32_t add_ring(l3d_polygon_mesh& mesh, int around, double radius, double
     return first;
 }
 
-/// Adds a polygon of a ring's vertices. It faces up the z axis if `from_above`, else down.
+/// Adds a polygon of a ring's vertices. The polygon faces up the z axis if `from_above`, else down.
 void add_disc(l3d_polygon_mesh& mesh, std::uint32_t first, int around, bool from_above) {
     for (int i = 0; i < around; ++i)
         mesh.corners.push_back(first + static_cast<std::uint32_t>(from_above ? i : around - 1 - i));

@@ -34,7 +34,8 @@ L3D_PUBLIC l3d_polygon_mesh l3d_cone_mesh(int around, double radius = 1, double 
 /// axes, four faces.
 L3D_PUBLIC l3d_polygon_mesh l3d_pyramid_mesh();
 
-/// The height field z = height(x, y) over [-1, 1] squared, of 2 * cells^2 triangles.
+/// A mesh of the height field z = height(x, y) over the square [-1, 1] x [-1, 1], with 2 * cells^2
+/// triangles.
 /// Expects: cells >= 1.
 template <class Height> l3d_polygon_mesh l3d_grid_mesh(int cells, Height height) {
     l3d_polygon_mesh mesh;

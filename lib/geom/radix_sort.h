@@ -17,9 +17,10 @@ struct l3d_sort_item {
 
 /// Sorts items by rising key; items of equal keys keep their order.
 ///
-/// The least significant of three digits of 11 bits comes first. Each digit has 2^11 counters of 4
-/// bytes. All counters take 24 KB, and stay in the first level cache of 32 KB. All digits are
-/// counted in one pass; a digit in which all keys agree costs no pass of its own.
+/// Keys are sorted by one digit of 11 bits after another, from the least significant of three. Each
+/// digit has 2^11 counters of 4 bytes. All counters take 24 KB, and stay in the first level cache
+/// of 32 KB. All digits are counted in one pass; a digit in which all keys agree costs no pass of
+/// its own.
 /// Cost:    linear: one pass to count, at most three to move. `other` is room for intermediate
 ///          results and keeps its memory; its contents mean nothing afterwards.
 inline void l3d_radix_sort(std::vector<l3d_sort_item>& items, std::vector<l3d_sort_item>& other) {

@@ -34,9 +34,9 @@ public:
     /// A whole number from `least` to `most`, both included, each equally likely.
     ///
     /// Expects: least <= most.
-    /// Source:  Lemire, Fast Random Integer Generation in an Interval (2019). It takes the upper
-    ///          half of a product, and draws again in the few cases that would make some numbers
-    ///          more likely.
+    /// Source:  Lemire, Fast Random Integer Generation in an Interval (2019). The result is the
+    ///          upper half of a product. In the few cases that would make some numbers more likely,
+    ///          bits are drawn again.
     constexpr int between(int least, int most) noexcept {
         assert(least <= most);
         const auto count = static_cast<std::uint32_t>(static_cast<std::int64_t>(most) - least + 1);

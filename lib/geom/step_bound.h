@@ -46,15 +46,15 @@ l3d_depth_range l3d_depth_range_of(std::span<const l3d_image_point> net);
 /// Expects: every w > 0.
 l3d_image_box l3d_image_box_of(std::span<const l3d_image_point> net);
 
-/// Whether the net lies wholly beyond one side of `box`, or wholly at w <= near or w >= far. Its
-/// curve or patch then cannot be seen. The test is made on homogeneous half-spaces, so it holds for
-/// points at and behind the eye too.
+/// Whether a net lies wholly beyond one side of `box`, or wholly at w <= near or w >= far. The
+/// net's curve or patch then cannot be seen. The test is made on homogeneous half-spaces, so it
+/// holds for points at and behind the eye too.
 bool l3d_outside(std::span<const l3d_image_point> net, const l3d_image_box& box, double near,
                  double far = std::numeric_limits<double>::infinity());
 
-/// A control net that computes its depth range and its box when they are first asked for, and keeps
-/// both.
-/// Expects: its points do not change afterwards.
+/// A control net with its depth range and its box. Either is computed when it is first asked for,
+/// and then kept.
+/// Expects: the net's points do not change afterwards.
 class l3d_image_net : public l3d_image_patch {
 public:
     l3d_image_net() = default;
@@ -73,13 +73,14 @@ private:
 };
 
 /// Largest distances in the picture between neighbouring control points, along u and along v. A
-/// distance is the larger one of those in x and in y.
+/// distance is the larger of the differences in x and in y.
 /// Expects: every w > 0.
 /// Units: pixels.
 std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 
-/// Bounds of the second derivatives of a piece of a curve or patch as seen in the image, by the
-/// piece's own parameters. They bound the error of drawing the piece in straight steps.
+/// Bounds of the second derivatives of a piece of a curve or patch as seen in the image. The
+/// derivatives are taken by the piece's own parameters. The bounds limit the error of drawing the
+/// piece in straight steps.
 ///
 /// Instead of the surface, the interpolant L of homogeneous points is drawn, whose image X0 lies
 /// inside `visible`. With S = (x, y, w) the exact point of the same parameters,
@@ -95,10 +96,11 @@ std::array<double, 2> l3d_image_gaps_of(const l3d_image_patch& net);
 struct l3d_second_bounds {
     double uu = 0, uv = 0, vv = 0;
 
-    /// A bound of the error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. It
-    /// also bounds a folded quad, which is drawn as four triangles around its centre. Let s and t
-    /// run from 0 to 1 over the quad. On each triangle, s t differs from its linear interpolant by
-    /// at most 1/16. The coefficient of s t is the mixed difference, at most uv / (nu nv).
+    /// A bound of the error of a convex micro-quad (a bilinear piece) with steps 1/nu by 1/nv. The
+    /// bound also holds for a folded quad, which is drawn as four triangles around its centre. Let
+    /// s and t run from 0 to 1 over the quad. On each triangle, s t differs from its linear
+    /// interpolant by at most 1/16. The coefficient of s t is the mixed difference, at most uv /
+    /// (nu nv).
     double quad_error(int nu, int nv) const {
         const double hu = 1.0 / nu, hv = 1.0 / nv;
         return (uu * hu * hu + vv * hv * hv) / 8 + uv * hu * hv / 16;
@@ -112,7 +114,7 @@ struct l3d_second_bounds {
     }
 };
 
-/// Bounds of mixed third and fourth derivatives as seen in the image. They are derived like
+/// Bounds of mixed third and fourth derivatives as seen in the image. The bounds are derived like
 /// l3d_second_bounds: 18 and 36 times the largest differences of the control points.
 struct l3d_mixed_bounds {
     double uuv = 0, uvv = 0, uuvv = 0;
@@ -133,7 +135,7 @@ double l3d_second_bound_of(const l3d_image_curve& curve, const l3d_image_box& vi
 /// The bound of a curve's second derivative in space, across the curve's own direction. A chord
 /// over a step 1/n lies within result / (8 n^2) of the curve. The chord's distance along the normal
 /// of any surface through the curve is no larger.
-/// Units: pixels at w_low; `focal` of them make a length of 1 at distance 1.
+/// Units: pixels at w_low. `focal` is the number of pixels that a length of 1 has at distance 1.
 double l3d_space_bound_of(const l3d_image_curve& curve, double focal, double w_low);
 
 /// Bounds of the difference of w between a patch or curve and its interpolant, which is at most
@@ -154,23 +156,24 @@ double l3d_depth_bound_of(const l3d_image_curve& curve);
 /// whose weights add up to no more than y.
 inline constexpr double l3d_balance = 0.0857864376269049512;
 
-/// The chord error of a balanced curve in n steps is at most this times max |f''|. One step has no
-/// vertex to move: 1/8.
+/// The factor c in the bound of chord errors, c max |f''|, of a balanced curve in n steps. A single
+/// step has no vertex to move, so its c is 1/8.
 constexpr double l3d_balanced_error(int n) {
     return n == 1 ? 1.0 / 8 : l3d_balance / (static_cast<double>(n) * n);
 }
 
-/// The factor by which coordinates of balanced vertices may exceed the net's, if each quarter of
-/// the patch has at least two steps. Then h is at most 1/8. Vertices move by at most l3d_balance /
-/// 64 times second derivatives, along u and along v, and by both. These derivatives are at most 6 *
-/// 4 times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
+/// The factor by which coordinates of balanced vertices may exceed those of the net, if each
+/// quarter of the patch has at least two steps. Then h is at most 1/8. Vertices move by at most
+/// l3d_balance / 64 times second derivatives, along u and along v, and by both. These derivatives
+/// are at most 6 * 4 times the net's largest value. So the factor is at most 1.0322^2 < 1 + 1/15.
 inline constexpr double l3d_balanced_reach = 1 + 1.0 / 15;
 
 /// The curve f - (l3d_balance / n^2) f'', on which the balanced vertices lie; f itself for n = 1.
 l3d_image_curve l3d_balanced(const l3d_image_curve& f, int n);
 
 /// Bound of the image error of a vertex whose x and y err by e_xy each, and w by e_w. Each image
-/// coordinate X errs by at most (e_xy + |X| e_w) / (w - e_w), so the vertex by sqrt(2) times that.
+/// coordinate X errs by at most (e_xy + |X| e_w) / (w - e_w), so the vertex errs by at most sqrt(2)
+/// times this bound.
 /// Units:   reach: pixels, at least the largest |X|, as l3d_image_box::reach gives it.
 /// Expects: e_w < w_least.
 double l3d_vertex_error(double e_xy, double e_w, double reach, double w_least);

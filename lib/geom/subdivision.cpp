@@ -32,13 +32,14 @@ struct sides_of_edge {
     std::uint32_t faces[2] = {nothing, nothing};
 };
 
-/// The edges of a mesh. Each has at most two faces, which walk along it in opposite directions.
+/// The edges of a mesh. Each edge has at most two faces, which walk along it in opposite
+/// directions.
 class cage_edges {
 public:
     explicit cage_edges(const l3d_polygon_mesh& mesh) : mesh_(mesh) {}
 
-    /// The error message for a mesh that is not a cage, with faces and vertices counted from 1; ""
-    /// if it is a cage.
+    /// The error message for a mesh that is not a cage; "" if it is a cage. The message counts
+    /// faces and vertices from 1.
     std::string complaint() {
         for (std::size_t i = 0; i < mesh_.faces(); ++i) {
             const std::string what = add(static_cast<std::uint32_t>(i));
@@ -75,8 +76,8 @@ private:
         return "";
     }
 
-    /// Complains of a vertex whose faces make more than one fan, so that edges at the vertex do not
-    /// join all of these faces.
+    /// The error message for a vertex whose faces make more than one fan, so that edges at the
+    /// vertex do not join all of these faces.
     std::string complaint_of_fans() const {
         // A fan has as many edges as faces, or one edge more if it is open.
         std::vector<std::uint32_t> faces(mesh_.vertices.size());
@@ -109,8 +110,8 @@ private:
         return size;
     }
 
-    /// The face on the other side of an edge: the edge by which face `index` leaves a vertex, or
-    /// comes to it if not `leaves`. `nothing` if the edge is a boundary.
+    /// The face on the other side of an edge at `vertex`. If `leaves`, face `index` walks along the
+    /// edge away from the vertex, else towards the vertex. `nothing` if the edge is a boundary.
     std::uint32_t beyond(std::uint32_t index, std::uint32_t vertex, bool leaves) const {
         const auto face = mesh_.face(index);
         const auto at = static_cast<std::size_t>(std::ranges::find(face, vertex) - face.begin());
@@ -180,7 +181,7 @@ struct receiver {
 };
 
 /// Gives patches the looks and parts of their faces. Each pair of a material and a face's colour
-/// becomes a look.
+/// makes a look.
 void hand_on(const std::vector<std::uint32_t>& faces, std::size_t first, l3d_model_file& model) {
     l3d_polygon_mesh& mesh = model.mesh;
     const std::size_t materials = mesh.materials.size();
@@ -265,7 +266,7 @@ struct cage_arrays {
 };
 
 /// Tells how exact the patches are. `size` is the model's size, and `asked` the wanted error as a
-/// share of it.
+/// share of the model's size.
 std::string exactness_of(const l3d_detail::subdivision_outcome& reached, double size,
                          double asked) {
     if (reached.caps == 0)

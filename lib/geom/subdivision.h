@@ -13,7 +13,7 @@
 
 struct l3d_model_file;
 
-/// Sharp edges and vertices of a mesh, for subdivision: `t` of .obj.
+/// Sharp edges and vertices of a mesh, for subdivision, as statements `t` of .obj files give them.
 struct L3D_PUBLIC l3d_cage_tags {
     /// An edge between two vertices, which stays sharp for `sharpness` subdivisions. From 10 on it
     /// is a crease for ever.
@@ -58,14 +58,16 @@ struct L3D_PUBLIC l3d_subdivision {
 };
 
 /// Replaces a model's polygons by patches of their Catmull-Clark surface, with materials and parts.
-/// Most patches are exact. Those at irregular vertices are within the model's patch_errors of the
+/// Most patches are exact. Patches at irregular vertices are within the model's patch_errors of the
 /// limit surface (docs/NUMERICS.md, section 29). A note tells the error that was reached.
 ///
 /// The function needs the plug-in libl3d_subdivision.so, of the package l3d-subdivision.
-/// Errors: false, and `why` = "name: reason", for a mesh without faces. Also if an edge belongs to
-///         more than two faces, or to two that turn opposite ways, or if faces meet in nothing but
-///         a vertex. Also if a face has a vertex twice, or the plug-in is missing.
-/// Cost:   some 10 us a patch; at most 2^17 patches, with a larger error where that is too few.
+/// Errors: false, and `why` = "name: reason", if the plug-in is missing or the mesh has no faces.
+///         The same holds if a face has a vertex twice, or if faces meet in nothing but a vertex.
+///         It also holds if an edge belongs to more than two faces, or to two faces that turn
+///         opposite ways.
+/// Cost:   some 10 us a patch. There are at most 2^17 patches; if these are too few, the error is
+///         larger.
 /// Source: E. Catmull, J. Clark, 1978; patches and creases as OpenSubdiv 3.5 has them.
 L3D_PUBLIC bool l3d_subdivide(l3d_model_file& model, const l3d_subdivision& how,
                               std::string_view name, std::string& why);

@@ -34,7 +34,7 @@ template <class T> struct L3D_PUBLIC l3d_point {
     /// The point that the vector leads to from the origin.
     explicit constexpr l3d_point(const vector& place) noexcept : from_origin(place) {}
 
-    /// The point with coordinates rounded to T. It is a named function, since fixed point numbers
+    /// The point with coordinates rounded to T. This is a named function, since fixed point numbers
     /// are never made implicitly.
     static l3d_point of(double x, double y, double z) noexcept {
         return {l3d_from_double<T>(x), l3d_from_double<T>(y), l3d_from_double<T>(z)};
@@ -120,8 +120,8 @@ template <class T> l3d_matrix<T> turning(int from, int to, double degrees) noexc
 
 } // namespace l3d_detail
 
-/// The map that turns about the x axis, y towards z. It follows the right-hand rule in right-handed
-/// axes, and the left-hand rule in left-handed ones.
+/// The map that turns about the x axis, y towards z. The turn follows the right-hand rule in
+/// right-handed axes, and the left-hand rule in left-handed ones.
 /// Units:   degrees.
 template <class T> l3d_matrix<T> l3d_rotation_x(double degrees) noexcept {
     return l3d_detail::turning<T>(1, 2, degrees);
@@ -143,8 +143,8 @@ l3d_matrix<T> l3d_about(const l3d_point<double>& centre, const l3d_matrix<T>& m)
            l3d_translation<T>(-centre[0], -centre[1], -centre[2]);
 }
 
-/// The matrix whose columns are three axes and an origin. It takes coordinates along these axes to
-/// the system in which axes and origin are given.
+/// The matrix whose columns are three axes and an origin. The matrix turns coordinates along these
+/// axes into coordinates of the system in which axes and origin are given.
 template <class T>
 l3d_matrix<T> l3d_from_axes(const l3d_vector<T, 3>& x, const l3d_vector<T, 3>& y,
                             const l3d_vector<T, 3>& z, const l3d_point<T>& origin) noexcept {
@@ -324,8 +324,8 @@ template <class T> std::optional<l3d_point<T>> l3d_homogenized(const l3d_vector<
     return l3d_point<T>(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
 }
 
-/// The unit normal of a plane that m has moved. It is found by the inverse transpose of m, which
-/// keeps the normal perpendicular however unequally m scales.
+/// The unit normal of a plane that m has moved. The inverse transpose of m gives it, and keeps the
+/// normal perpendicular however unequally m scales.
 /// Errors:  nothing if m is singular.
 template <class T>
 std::optional<l3d_vector<T, 3>> l3d_transformed_normal(const l3d_matrix<T>& m,

@@ -18,8 +18,8 @@
 /// and / by a number, ==. Functions of glm:: that take vectors accept it, and so do the functions
 /// below.
 ///
-/// Shape:   2 <= N <= 4. It holds nothing but the numbers, one after another. It is uninitialised,
-///          as a number is; l3d_vector<T, N>{} is all zero.
+/// Shape:   2 <= N <= 4. A vector holds nothing but the numbers, one after another. A new vector is
+///          uninitialised, as a number is; l3d_vector<T, N>{} is all zero.
 ///
 /// Vectors of fixed point have GLM's layout and operators, but are only for the functions below.
 /// GLM's functions would round each product by itself.

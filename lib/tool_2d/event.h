@@ -24,7 +24,7 @@ enum l3d_key : int {
     l3d_key_page_down,
     l3d_key_home,
     l3d_key_end,
-    l3d_key_f1, ///< F1. F2 to F10 follow it; F11 is the event `fullscreen`
+    l3d_key_f1, ///< F1; F2 to F10 have the next numbers, F11 is the event `fullscreen`
     l3d_key_insert = l3d_key_f1 + 10,
     l3d_key_shift,   ///< either Shift key, alone; only l3d_pipeline::any_event tells of it
     l3d_key_control, ///< either Control key, told as l3d_key_shift is
@@ -48,7 +48,7 @@ enum class L3D_PUBLIC l3d_event_type {
     wheel,
     /// The picture has a new size, or l3d_screen::text_scale has changed.
     resize,
-    /// A visible part of the window lost its picture, which has to be shown again.
+    /// A visible part of the window lost its picture. The picture has to be shown again.
     expose,
     /// Nothing of the window can be seen until the next expose or reveal.
     hide,
@@ -67,8 +67,8 @@ enum class L3D_PUBLIC l3d_event_type {
 struct L3D_PUBLIC l3d_event {
     /// The kind of event.
     l3d_event_type type{};
-    /// key_*: the key's ASCII code or l3d_key. It is 0 for a press that only types text, such as a
-    /// letter of another script; no release follows.
+    /// key_*: the key's ASCII code or l3d_key. A press that only types text, such as a letter of
+    /// another script, has 0, and no release follows it.
     int key = 0;
     /// button_*: 1 left, 2 middle, 3 right. pointer_motion: the button that is held, 0 for none.
     int button = 0;
@@ -81,8 +81,8 @@ struct L3D_PUBLIC l3d_event {
     /// wheel: how far the wheel turned, in notches; positive away from the user. Fine wheels and
     /// touchpads turn by parts of a notch.
     double turn = 0;
-    /// wheel: the whole notches that this turn completes, for programs that count steps. It is 0
-    /// while a fine wheel is on its way to the next notch.
+    /// wheel: the whole notches that this turn completes, for programs that count steps. The number
+    /// is 0 while a fine wheel is on its way to the next notch.
     int notches = 0;
     /// button_press: 2 for the second press of a double click, else 1.
     int clicks = 0;
@@ -97,22 +97,22 @@ struct L3D_PUBLIC l3d_event {
     bool logo = false;
     /// key_press: whether the key was down already, and repeats.
     bool repeat = false;
-    /// key_press: the text that the key types, in UTF-8. It is empty with Ctrl, Alt or the logo
-    /// key, and for keys that type nothing. A dead key types nothing itself, but changes the text
-    /// of the next key.
+    /// key_press: the text that the key types, in UTF-8. The text is empty with Ctrl, Alt or the
+    /// logo key, and for keys that type nothing. A dead key types nothing itself, but changes the
+    /// text of the next key.
     std::string text{};
-    /// pointer_motion: how far a held pointer has moved to the right since the last such event;
+    /// pointer_motion: how far a held pointer has moved to the right since the last pointer_motion;
     /// 0 if the pointer is not held. Units: pixels.
     double right = 0;
-    /// pointer_motion: how far a held pointer has moved down since the last such event; 0 if the
-    /// pointer is not held. Units: pixels.
+    /// pointer_motion: how far a held pointer has moved down since the last pointer_motion; 0 if
+    /// the pointer is not held. Units: pixels.
     double down = 0;
     /// key_*, button_*, pointer_motion, wheel: the time of the event by the display's clock, whose
-    /// zero is any moment.
+    /// zero is an arbitrary moment.
     std::chrono::milliseconds time{};
 };
 
-/// A thing that a dispatcher pulls events from.
+/// A source of events, such as a screen, from which a dispatcher takes events.
 class L3D_PUBLIC l3d_event_source {
 public:
     l3d_event_source() = default;
@@ -124,7 +124,8 @@ public:
     bool next_event(l3d_event& event) { return do_next_event(event); }
 
     /// Sleeps until an event is pending or the time is over, whichever is first. The sleep may end
-    /// earlier. Data to read from the file descriptor `waker` ends it, too; -1 stands for no file.
+    /// earlier. The sleep also ends when data can be read from the file descriptor `waker`; -1
+    /// stands for no file.
     void wait(std::chrono::nanoseconds longest, int waker = -1) { do_wait(longest, waker); }
 
 private:

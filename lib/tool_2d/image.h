@@ -17,16 +17,17 @@
 #include <string>
 #include <utility>
 
-/// The stride to use for rows of `width` words: an odd number of cache lines of 64 bytes. It
-/// exceeds the row by one word to two lines. If rows were 4096 bytes apart, a column's pixels would
-/// share a set of the cache. A row's loads would wait for stores to the row above, since processors
-/// tell addresses apart by their last 12 bits. A frame of 1024 x 768 would take a tenth more time.
+/// The stride to use for rows of `width` words: an odd number of cache lines of 64 bytes. The
+/// stride exceeds the row by one word to two lines. If rows were 4096 bytes apart, a column's
+/// pixels would share a set of the cache. A row's loads would wait for stores to the row above,
+/// since processors tell addresses apart by their last 12 bits. A frame of 1024 x 768 would take a
+/// tenth more time.
 inline std::ptrdiff_t l3d_padded_stride(int width) {
     constexpr std::ptrdiff_t words_per_line = 16;
     return ((width / words_per_line + 1) | 1) * words_per_line;
 }
 
-/// Owns the words of a picture, which is black at first. l3d_pixels is a view of them.
+/// Owns the words of a picture, which is black at first. l3d_pixels is a view of such words.
 class L3D_PUBLIC l3d_image {
 public:
     l3d_image() = default;
@@ -71,8 +72,8 @@ public:
 
 private:
     /// The number of words of an image.
-    /// Errors:  std::bad_alloc if no address space holds them. Compilers differ in whether `new`
-    ///          refuses so large a size.
+    /// Errors:  std::bad_alloc if no address space can hold the words. Compilers differ in whether
+    ///          `new` refuses so large a size.
     static std::size_t word_count(l3d_size size, std::ptrdiff_t stride) {
         constexpr std::ptrdiff_t most = PTRDIFF_MAX / sizeof(std::uint32_t);
         if (size.height > 0 && stride > most / size.height)
@@ -137,16 +138,16 @@ L3D_PUBLIC void l3d_write_image(const std::string& path, const l3d_pixels& pixel
 /// bytes say how transparent the pixels are, as l3d_write_png takes them. Otherwise the picture is
 /// laid on black, in linear light.
 /// Errors:  l3d_error(bad_input) that names the path and the reason. A file too short for its
-///          picture is refused before memory is taken for it.
+///          picture is refused before memory is taken for the picture.
 L3D_PUBLIC l3d_image l3d_read_png(const std::string& path, l3d_alpha alpha = l3d_alpha::none);
 
-/// The limit on the number of pixels of pictures that are read, unless the caller gives another: 8
-/// GB of words.
+/// The largest number of pixels of a picture that is read, unless the caller gives another limit. A
+/// picture of this size has 8 GB of words.
 inline constexpr std::int64_t l3d_most_image_pixels = std::numeric_limits<std::int32_t>::max();
 
 /// Reads PNG, binary PPM (P6, levels up to 255) or JPEG, whichever the contents are. Rows have no
 /// padding. The words' highest bytes say how transparent the pixels are, as from l3d_read_png with
-/// l3d_alpha::transparency. For PPM and JPEG they are 0.
+/// l3d_alpha::transparency. For PPM and JPEG, these bytes are 0.
 /// Errors:  l3d_error(bad_input) that names the path and the reason, also for a file that is cut
 ///          off or damaged. A picture of more than `most_pixels` is refused before memory is taken
 ///          for it.
@@ -158,9 +159,9 @@ L3D_PUBLIC l3d_image l3d_read_image(const std::string& path,
 L3D_PUBLIC l3d_image l3d_decoded_image(const std::string& bytes, const std::string& name,
                                        std::int64_t most_pixels = l3d_most_image_pixels);
 
-/// Whether a file holds a whole PNG or PPM picture of this size. The ending of its name says which
-/// kind, as for l3d_write_image. The result is false, without a reason, for a file that is missing,
-/// cut off or damaged.
+/// Whether a file holds a whole PNG or PPM picture of this size. The ending of the file's name says
+/// which of the two is expected, as for l3d_write_image. The result is false, without a reason, for
+/// a file that is missing, cut off or damaged.
 /// Cost:    reads and unpacks the file.
 L3D_PUBLIC bool l3d_is_whole_image(const std::string& path, l3d_size size);
 

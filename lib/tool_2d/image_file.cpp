@@ -30,8 +30,8 @@ using l3d_detail::throw_write_error;
 
 constexpr std::size_t rgb_bytes = 3;
 
-/// Writes words as red, green, blue, and opacity if `to` has room for it. Shape: bytes a word times
-/// the words.
+/// Writes words as red, green, blue, and opacity if `to` has room for it. Shape: `to` has
+/// bytes_of_word bytes for each word.
 template <std::size_t bytes_of_word>
 void put_words(std::span<const std::uint32_t> words, std::uint8_t* to) {
     for (const auto word : words) {
@@ -63,7 +63,7 @@ bool ends_with(std::string_view path, std::string_view lower_case_end) {
     });
 }
 
-/// The head of a PPM of some size. ppm_bytes() is the number of bytes after it.
+/// The head of a PPM of this size. ppm_bytes() is the number of bytes after the head.
 std::string ppm_head(l3d_size size) {
     return "P6\n" + std::to_string(size.width) + " " + std::to_string(size.height) + "\n255\n";
 }
@@ -80,8 +80,8 @@ struct png_picture : png_image {
     ~png_picture() { png_image_free(this); }
 };
 
-/// Whether a file of some bytes can hold a picture. The smallest pixel has one bit, and deflate
-/// shortens 258 bytes to 2 bits at best.
+/// Whether a file of this many bytes can hold a picture. The smallest pixel has one bit, and
+/// deflate shortens 258 bytes to 2 bits at best.
 bool may_hold(std::size_t bytes, const png_image& picture) {
     constexpr std::uint64_t most_pixels = std::uint64_t{258} * 4 * 8; // for each byte of the file
     return std::uint64_t{picture.width} * picture.height <= most_pixels * bytes;
@@ -124,7 +124,8 @@ l3d_image decoded(const std::string& text, const std::string& path, l3d_alpha al
     return image;
 }
 
-/// Reads a number in the head of a PPM. It skips blanks, and comments from # to the end of a line.
+/// Reads a number in the head of a PPM. Before the number, blanks are skipped, and comments from #
+/// to the end of a line.
 std::optional<int> next_number(std::string_view text, std::size_t& at) {
     for (bool in_comment = false; at < text.size(); ++at) {
         in_comment = (in_comment || text[at] == '#') && text[at] != '\n';

@@ -70,8 +70,8 @@ private:
         info->err->format_message(info, self->why_.data());
         std::longjmp(self->back_, 1);
     }
-    /// Treats reports of damage as errors. Their level is below 0; messages of other levels only
-    /// tell of the file's contents.
+    /// Treats reports of damage as errors. A report of damage has a level below 0. Messages of
+    /// higher levels only tell of the file's contents.
     static void warn(j_common_ptr info, int level) {
         if (level < 0)
             fail(info);

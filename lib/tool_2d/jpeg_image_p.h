@@ -17,8 +17,8 @@ void check_image_size(const std::string& path, std::int64_t width, std::int64_t 
                       std::int64_t most_pixels);
 
 /// Takes the first steps with a reader of pictures: reads the header, checks the size, and starts
-/// to decode. Returns a function that checks the results of further steps. Reader and path must
-/// outlive this function.
+/// to decode. Returns a function that checks the results of further steps. `reader` and `path` must
+/// outlive the returned function.
 /// Errors:  l3d_error(bad_input) that names the path and the reason, also from the returned
 ///          function.
 template <class Reader>

@@ -48,7 +48,7 @@ std::string led_to(fs::path name) {
     return name.string();
 }
 
-/// The name of a temporary file in a folder. It is short enough for any file system.
+/// The name of a temporary file in a folder. The name is short enough for any file system.
 std::string part_name(const std::string& folder, std::uint64_t number) {
     std::array<char, 32> name{};
     std::snprintf(name.data(), name.size(), "/.l3d-%016llx.part",
@@ -64,9 +64,9 @@ std::string free_name(const std::string& folder) {
     return part_name(folder, number);
 }
 
-/// The name of a complete file between its link and its renaming. It is always the same, so that
-/// the next writer finds a file that a dead writer left behind in this moment. It need not be
-/// secret, as a hard link follows no link and replaces no file.
+/// The name of a complete file between its link and its renaming. The name is always the same, so
+/// that the next writer finds a file that a dead writer left behind in this moment. The name need
+/// not be secret, as a hard link follows no link and replaces no file.
 std::string complete_name(const std::string& target) {
     return part_name(folder_of(target), std::hash<std::string>()(target));
 }
@@ -81,7 +81,8 @@ void remove_left_behind(const std::string& name) {
     close(descriptor);
 }
 
-/// Calls make(name) with new names while it fails with EEXIST. Returns its last result.
+/// Calls make(name) with new names while the call fails with EEXIST. Returns the last call's
+/// result.
 template <class Make> int with_free_name(const std::string& folder, std::string& name, Make make) {
     constexpr int most_tries = 100;
     int result = -1;
@@ -96,7 +97,7 @@ template <class Make> int with_free_name(const std::string& folder, std::string&
     return result;
 }
 
-/// A name by which the system knows an open file without a name.
+/// The path by which the system refers to an open file that has no name.
 std::string name_of(int descriptor) {
     return "/proc/self/fd/" + std::to_string(descriptor);
 }
@@ -172,7 +173,8 @@ int output_file::open_named() {
     });
 }
 
-/// Gives a nameless file its name. If another file has that name, it gets a temporary one first.
+/// Gives the nameless file its name. If another file has this name, the nameless file first gets a
+/// temporary name.
 void output_file::link() {
     const std::string open_file = name_of(fileno(file_.get()));
     const auto link_to = [&](const char* name) {
@@ -195,8 +197,8 @@ void output_file::link() {
         throw_write_error(path_);
 }
 
-/// Writes the folder to the disk, without which a new name may be lost. Some file systems cannot be
-/// asked for that.
+/// Writes the folder to the disk, since otherwise a new name may be lost. Some file systems cannot
+/// do this.
 void output_file::sync_folder() const {
     const int folder = open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (folder < 0)

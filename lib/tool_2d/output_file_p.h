@@ -17,17 +17,17 @@ struct file_closer {
 };
 using unique_file = std::unique_ptr<std::FILE, file_closer>;
 
-/// A file being written. It gets its name in commit(), when it is on the disk.
+/// A file that is being written. commit() writes it to the disk, and then gives it its name.
 ///
-/// Until then it has no name at all where the system permits that (O_TMPFILE), so that nothing is
-/// left behind, however the program ends. Elsewhere it has a temporary name in the same folder,
-/// which nobody can guess and which follows no link. Several threads or processes may write one
-/// path: the file committed last stays, whole.
+/// Before commit(), the file has no name at all where the system permits this (O_TMPFILE), so that
+/// nothing is left behind, however the program ends. Elsewhere the file has a temporary name in the
+/// same folder, which nobody can guess and which follows no link. Several threads or processes may
+/// write one path: the file committed last stays, whole.
 ///
-/// A name that leads to a device or a pipe is written directly, since it cannot be replaced. So is
-/// a file in a folder in which no other file can be made. A file that is replaced leaves its
-/// permissions, and if possible its owner, to the new one. A link is followed, even to a file that
-/// is not there yet.
+/// A device or a pipe is written directly, since it cannot be replaced. A file is written directly
+/// if no second file can be made in its folder. A file that is replaced leaves its permissions, and
+/// if possible its owner, to the new file. A link is followed, even to a file that does not exist
+/// yet.
 /// Lives:   a file that was not committed is removed.
 class output_file {
 public:
@@ -50,7 +50,7 @@ private:
     void link();
     void sync_folder() const;
 
-    std::string path_;      ///< as the user wrote it, for messages
+    std::string path_;      ///< the path as the user wrote it, for messages
     std::string target_;    ///< the file that `path_` leads to through links
     std::string temporary_; ///< the name before commit(); empty: the file has none
     unique_file file_;

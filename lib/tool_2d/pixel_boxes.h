@@ -11,9 +11,9 @@
 #include <limits>
 #include <span>
 
-/// A few disjoint boxes that together hold all boxes added, such as the parts of a picture that
-/// changed. Each box that a caller handles has a fixed cost, so near boxes are united. Most of the
-/// space between distant ones is left out.
+/// A few disjoint boxes that together hold all boxes that were added, such as the parts of a
+/// picture that changed. Each box that a caller handles has a fixed cost, so near boxes are united.
+/// Most of the space between distant boxes is left out.
 class l3d_pixel_boxes {
 public:
     static constexpr std::size_t most = 4;
@@ -47,13 +47,14 @@ public:
     }
 
 private:
-    /// Two boxes are united if that adds fewer needless pixels than this number. The smallest part
-    /// of a picture costs as much as some 2000 pixels of a whole one (tests/bench/still_bench).
+    /// Two boxes are united if their union adds fewer needless pixels than this number. The
+    /// smallest part of a picture costs as much as some 2000 pixels of a whole picture
+    /// (tests/bench/still_bench).
     static constexpr std::int64_t cost = 2048;
 
-    /// Unites the two boxes whose union adds the fewest needless pixels. It does so if these are
-    /// fewer than `cost`, or if there are too many boxes. Boxes that overlap count as adding none.
-    /// Returns whether two were united.
+    /// Finds the two boxes whose union adds the fewest needless pixels. Unites them if these pixels
+    /// are fewer than `cost`, or if there are too many boxes. Boxes that overlap count as adding
+    /// none. Returns whether two boxes were united.
     bool unite_two() {
         std::size_t a = 0, b = 0;
         std::int64_t least = count_ > most ? std::numeric_limits<std::int64_t>::max() : cost;

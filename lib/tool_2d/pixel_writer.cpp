@@ -13,10 +13,11 @@ constexpr int dither_side = 8;
 constexpr int dither_pixels = dither_side * dither_side;
 
 /// A row of the thresholds t[x % 8] of ordered dithering. A pixel whose level has the fraction n /
-/// 64 goes up if n + t >= 64.
+/// 64 shows the next level if n + t >= 64.
 ///
-/// Over a square of 8 x 8 pixels, t takes each of 0..63 once, so exactly n of the pixels go up. The
-/// bits of x and y are interleaved, last bits first, so that any n of them are spread evenly.
+/// Over a square of 8 x 8 pixels, t takes each of 0..63 once, so exactly n of the pixels show the
+/// next level. The bits of x and y are interleaved, last bits first, so that any n of these pixels
+/// are spread evenly.
 /// Source:  Bayer: An optimum method for two-level rendition of continuous-tone pictures (1973).
 std::array<std::uint32_t, dither_side> thresholds_of_row(int y) {
     std::array<std::uint32_t, dither_side> thresholds{};
@@ -45,8 +46,8 @@ template <std::endian Order, int Bytes> void store(std::uint32_t pixel, std::uin
     }
 }
 
-/// Enlarges a row of pixels in place: each is repeated `scale` times. It goes from right to left,
-/// so that no pixel is overwritten before it is read.
+/// Enlarges a row of pixels in place: each pixel is repeated `scale` times. The function goes from
+/// right to left, so that no pixel is overwritten before it is read.
 template <int Bytes>
 void replicate(std::uint8_t* bytes, std::ptrdiff_t width, std::ptrdiff_t scale) {
     for (std::ptrdiff_t from = (width - 1) / scale; from >= 0; --from) {
@@ -95,7 +96,7 @@ struct pixel_writer::by_shifts {
     }
 };
 
-/// Pixels with masks of at most eight bits, and some of fewer. They are dithered.
+/// Dithered pixels with masks of at most eight bits, some of which have fewer.
 struct pixel_writer::by_few_bits {
     const pixel_writer& writer;
     int red, green, blue;
@@ -114,7 +115,7 @@ struct pixel_writer::by_few_bits {
     }
 };
 
-/// Pixels that index a cube of colours. They are dithered.
+/// Dithered pixels that index a cube of colours.
 struct pixel_writer::by_cube {
     const pixel_writer& writer;
     const std::uint32_t* pixels;
@@ -135,7 +136,7 @@ struct pixel_writer::by_cube {
     }
 };
 
-/// Pixels that index a ramp of greys. They are dithered.
+/// Dithered pixels that index a ramp of greys.
 struct pixel_writer::by_ramp {
     const pixel_writer& writer;
     const std::uint32_t* pixels;
@@ -184,8 +185,8 @@ pixel_writer::dither_table pixel_writer::dither_table_of(int levels) {
     return table;
 }
 
-/// Whether masks have fewer than eight bits and none has more. Displays with both are too rare for
-/// tables of their own.
+/// Whether some masks have fewer than eight bits, and none has more. Displays with masks both below
+/// and above eight bits are too rare for tables of their own.
 bool pixel_writer::has_few_bits() const {
     const auto [least, most] =
         std::minmax({info_.red().width, info_.green().width, info_.blue().width});

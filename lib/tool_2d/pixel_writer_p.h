@@ -42,7 +42,7 @@ public:
 
     int scale() const { return scale_; }
 
-    /// Writes one native row that shows row y of a picture; there are `scale` such rows, all equal.
+    /// Writes one native row that shows row y of a picture. All `scale` native rows of y are equal.
     /// The row may begin at the left end of a part that writable_part has widened.
     /// Shape:   native_width pixels; words.size() is native_width / scale, rounded up.
     void write_row(std::span<const std::uint32_t> words, int y, int native_width,

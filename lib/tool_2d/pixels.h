@@ -29,7 +29,7 @@ inline constexpr int l3d_largest_side = 16384;
 ///          when they show. The highest byte has a meaning only in a picture without background: it
 ///          says how transparent the pixel is, 0 for not at all. Red, green and blue are then those
 ///          of the covered part, as in PNG files.
-/// Lives:   borrows; the screen or image that made it owns the words.
+/// Lives:   borrows; the screen or image that made the view owns the words.
 struct L3D_PUBLIC l3d_pixels {
     std::uint32_t* words = nullptr; ///< the first word of the top row
     int width = 0;                  ///< number of columns
@@ -54,7 +54,7 @@ struct L3D_PUBLIC l3d_pixels {
 
 /// A rectangle of a picture: columns [left, right) of rows [top, bottom).
 struct L3D_PUBLIC l3d_pixel_box {
-    /// The first column and row inside, and the first ones beyond.
+    /// The first column and row inside the box, and the first column and row beyond it.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 
     /// Whether the box holds no pixel.

@@ -18,13 +18,13 @@ struct L3D_PUBLIC l3d_probe {
     /// How well the thing serves.
     enum class verdict {
         good,    ///< nothing is missing
-        limited, ///< it serves, but not as well as it could
-        bad      ///< it does not serve
+        limited, ///< the thing serves, but not as well as it could
+        bad      ///< the thing does not serve
     };
 
     std::string what;                ///< the thing, such as "MIT-SHM" or "visual"
     std::string result;              ///< the finding, or the reason why there is none
-    verdict outcome = verdict::good; ///< how well it serves
+    verdict outcome = verdict::good; ///< how well the thing serves
     std::string remedy; ///< the thing to install, set or leave out; empty if nothing is wrong
 };
 
@@ -39,8 +39,8 @@ enum class L3D_PUBLIC l3d_pointer {
     dragged,  ///< the pointer's motion while a button is held
     followed, ///< all of the pointer's motion over the window
     /// The pointer is hidden and kept in the window. Its motion, which has no end, is told by
-    /// l3d_event::right and down. First-person views turn by it. A window without the keyboard lets
-    /// the pointer go.
+    /// l3d_event::right and down. First-person views turn by this motion. A window without the
+    /// keyboard lets the pointer go.
     held,
 };
 
@@ -79,12 +79,12 @@ public:
     /// the clock.
     bool is_window() const { return do_is_window(); }
 
-    /// The rate at which new pictures make sense if the user gives none.
+    /// The rate at which new pictures make sense if the user names no rate.
     /// Units:   pictures per second.
     double usual_fps() const { return do_usual_fps(); }
 
     /// The factor by which text must be larger than on a display of 96 dots an inch to be read as
-    /// easily; at least 1. It is 1.5 if the user has set 144 dots an inch and
+    /// easily; at least 1. The factor is 1.5 if the user has set 144 dots an inch and
     /// l3d_screen_request::scale is 1.
     double text_scale() const { return do_text_scale(); }
 
@@ -139,7 +139,7 @@ inline constexpr int l3d_largest_scale = 8;
 /// Whether a screen sends few pixels at the cost of detail, for a slow line.
 enum class L3D_PUBLIC l3d_remote {
     automatic, ///< as `on` if the display is reached over a network, else as `off`
-    on,        ///< only what changed, coarse while much of it changes; no memory is shared
+    on,        ///< only changed pixels, coarse while many change; no memory is shared
     off,       ///< whole pictures, as to a display of this machine
 };
 
@@ -148,9 +148,9 @@ struct L3D_PUBLIC l3d_screen_request {
     l3d_size size{1024, 768};  ///< size of the picture, in pixels of the program; see scale
     std::string title = "l3d"; ///< title of the window, in UTF-8
     std::string name = "l3d";  ///< name of the program, for window managers and their rules
-    /// The side, in display pixels, of the square that shows a pixel of the picture. 0 stands for
-    /// 1, with a picture larger than `size` by the factor by which the display is finer than 96
-    /// dots an inch.
+    /// The side, in display pixels, of the square that shows a pixel of the picture. 0 stands for 1
+    /// with a larger picture: `size` is then multiplied by the factor by which the display is finer
+    /// than 96 dots an inch.
     int scale = 0;
     /// How pictures travel to a display. Screens that are not windows ignore it.
     l3d_remote remote = l3d_remote::automatic;
@@ -160,9 +160,9 @@ struct L3D_PUBLIC l3d_screen_request {
 struct L3D_PUBLIC l3d_service {
     /// How well the kind of screen serves, from best to worst.
     enum class level {
-        fully,        ///< it serves as its name says
-        partly,       ///< it serves, but in another way than its name says
-        not_here,     ///< it cannot serve, and another display would not help
+        fully,        ///< the screens serve as the name of the kind says
+        partly,       ///< the screens serve, but in another way than the name says
+        not_here,     ///< no screen can serve, and another display would not help
         no_display,   ///< there is no display that answers
         display_lost, ///< the display went away while it was asked
     };
@@ -171,7 +171,7 @@ struct L3D_PUBLIC l3d_service {
     std::string why{};        ///< the reason in one line, naming values; empty if `fully`
     bool is_seen = true;      ///< whether somebody sees pictures that are not written to files
 
-    /// Whether pictures can be shown, this way or another.
+    /// Whether screens of this kind can show pictures, fully or partly.
     bool serves() const { return how == level::fully || how == level::partly; }
 };
 
@@ -193,7 +193,8 @@ public:
         return do_create(request, refusal);
     }
 
-    /// Frees resources that service() kept for create(). Call it if another kind was chosen.
+    /// Frees resources that service() kept for create(). Call it if another kind of screen was
+    /// chosen.
     void release() const { do_release(); }
 
     /// Adds a probe for each thing that this kind depends on, with outcome and remedy.

@@ -39,7 +39,7 @@ struct L3D_PUBLIC l3d_pixel_layout {
     std::uint32_t green_mask = 0x00FF00;          ///< the bits of green in a pixel
     std::uint32_t blue_mask = 0x0000FF;           ///< the bits of blue in a pixel
     std::endian byte_order = std::endian::native; ///< order of a stored pixel's bytes
-    int scanline_pad = 32; ///< bits; every row starts at a multiple of this number
+    int scanline_pad = 32; ///< every row starts at a multiple of this number of bits
     l3d_color_class color_class = l3d_color_class::true_color; ///< how colours are found
 
     /// Describes the layout in one phrase: class, depth, bits per pixel, byte order, masks.
@@ -64,9 +64,10 @@ struct L3D_PUBLIC l3d_palette {
     int red = 0;                       ///< levels of red, or of gray on a ramp
     int green = 0;                     ///< levels of green; 1 on a ramp
     int blue = 0;                      ///< levels of blue; 1 on a ramp
-    std::vector<std::uint32_t> pixels; ///< empty: there is no palette, and masks are used
+    std::vector<std::uint32_t> pixels; ///< the native pixels; empty if masks are used instead
     /// The largest difference, in any channel and in 255ths, between the colour that a pixel shows
-    /// and its level's value. It is not 0 if the display's map had no room for exact colours.
+    /// and the value of the pixel's level. The difference is not 0 if the display's map had no room
+    /// for exact colours.
     int deviation = 0;
 
     /// Whether the palette has grays only.
@@ -93,7 +94,8 @@ public:
 
     /// The display's own description.
     const l3d_pixel_layout& layout() const { return layout_; }
-    /// The numbers of the display's colour map that show our colours; none if masks are used.
+    /// The native pixels that show our colours, as numbers in the display's colour map. Empty if
+    /// masks are used.
     const l3d_palette& palette() const { return palette_; }
     /// Whether pixels are numbers of a colour map, not colours themselves.
     bool has_palette() const { return !palette_.pixels.empty(); }
@@ -107,7 +109,8 @@ public:
     l3d_channel blue() const { return blue_; }
 
     /// The bits that are set in every native pixel. On a 32-bit deep display these are the bits
-    /// that no colour uses, since a compositor takes them for opacity; otherwise 0.
+    /// that no colour uses, since a compositor takes them for opacity. On other displays, they are
+    /// 0.
     std::uint32_t opaque_bits() const { return opaque_bits_; }
 
     /// Whether a pixel word, as this machine stores it, already is the native pixel.
@@ -148,10 +151,10 @@ public:
 
     /// The display's own pixel value for a word.
     ///
-    /// With masks, a channel value v becomes v * max / 255, where max is the display's largest.
-    /// Below 8 bits it is rounded down, as in the book, so that each level stands for an equal
-    /// share of the 256. At 8 bits it is the same number. Above 8 bits it is rounded to nearest, so
-    /// that 0 and 255 stay the ends.
+    /// With masks, a channel value v becomes v * max / 255, where max is the channel's largest
+    /// value on the display. Below 8 bits the result is rounded down, as in the book, so that each
+    /// level stands for an equal share of the 256 values. At 8 bits the value stays as it is. Above
+    /// 8 bits the result is rounded to nearest, so that 0 and 255 stay the ends.
     ///
     /// With a cube, a channel value becomes the nearest level, or the lower of two equally near.
     /// The shown colour differs by at most half the gap between two levels, plus the palette's
@@ -179,7 +182,7 @@ private:
     l3d_channel red_, green_, blue_;
     std::uint32_t opaque_bits_;
     /// The amount that each channel value adds to the native pixel or, if there is a palette, to
-    /// the index in its pixels.
+    /// the index in the palette's pixels.
     table red_parts_, green_parts_, blue_parts_;
 };
 

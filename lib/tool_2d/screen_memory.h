@@ -40,7 +40,7 @@ public:
     explicit l3d_screen_memory(const l3d_pixels& words);
 
     /// A screen around packed pixels, which hold the picture once it is shown. Colours that the
-    /// layout lacks are mixed from neighbouring ones by an ordered dither.
+    /// layout lacks are mixed from neighbouring colours by an ordered dither.
     /// Expects: width and height at least 1; rows that do not overlap; a layout of masks; bytes
     ///          that outlive the screen.
     /// Errors:  std::bad_alloc.
@@ -55,21 +55,21 @@ private:
     bool do_next_event(l3d_event&) override { return false; }
     void do_wait(std::chrono::nanoseconds, int) override {}
 
-    l3d_image image_;  ///< the screen's own words; empty if they were given
-    l3d_pixels words_; ///< the words of image_, or the given ones
+    l3d_image image_;  ///< the screen's own words; empty if the caller gave words
+    l3d_pixels words_; ///< the words of image_, or those that the caller gave
     l3d_packed_pixels packed_{};
     l3d_screen_info info_;
     std::unique_ptr<l3d_detail::pixel_writer> writer_; ///< writes packed pixels; null without them
 };
 
-/// Makes screens without a display. They can be made everywhere.
+/// Makes screens without a display. Such screens can be made everywhere.
 class L3D_PUBLIC l3d_screen_factory_memory final : public l3d_screen_factory {
 private:
     /// Tells that the screens serve, but are not seen. Errors: none.
     l3d_service do_service() const override { return {.is_seen = false}; }
 
     /// Makes a screen. Errors: null, with the size in the reason, if there is not enough memory for
-    /// it.
+    /// the screen.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
 };

@@ -23,7 +23,7 @@ class field_line {
 public:
     explicit field_line(std::string_view text) : rest_(text) { skip_blanks(); }
 
-    /// Takes `word` and the blanks after it, if it comes next.
+    /// Takes `word` and the blanks after it, if `word` comes next.
     bool take(std::string_view word) {
         if (!rest_.starts_with(word))
             return false;
@@ -41,7 +41,8 @@ public:
         return result;
     }
 
-    /// Takes the text between the next quotation mark and the last, or all if there are not two.
+    /// Takes the text between the next quotation mark and the last. Without two marks, takes all
+    /// text.
     std::string_view in_quotes() {
         const std::size_t begin = rest_.find('"');
         const std::size_t end = rest_.rfind('"');
@@ -273,7 +274,7 @@ private:
         return true;
     }
 
-    /// Whether the last object has as many vertices and faces as it promised.
+    /// Whether the last object has as many vertices and faces as its header promised.
     bool is_complete() {
         const std::size_t vertices = mesh_.vertices.size() - base_;
         const std::size_t faces = mesh_.faces() - first_face_;
@@ -285,7 +286,7 @@ private:
                            std::to_string(faces_) + " faces"));
     }
 
-    /// Takes the index of a vertex or a face, and the colon. Indices must come in order.
+    /// Takes the index of a vertex or a face, and the colon after it. Indices must come in order.
     bool is_next(field_line& line, const char* what, std::size_t next, std::int64_t count) {
         std::int64_t number = 0;
         if (!text_.integer_in_text(line.value(), number, what) ||
@@ -362,9 +363,10 @@ private:
     std::vector<text_cursor::reading_place> camera_lines_;
     bool is_camera_ = false; ///< whether the current object is the last of cameras_
     l3d_detail::face_materials materials_;
-    std::string object_;                    ///< the name of the current object
-    bool has_new_name_ = false;             ///< whether no mesh or camera has taken the name yet
-    std::int64_t vertices_ = 0, faces_ = 0; ///< numbers that the current mesh promised
+    std::string object_; ///< the name of the current object
+    /// Whether no mesh or camera has taken object_ as its name yet.
+    bool has_new_name_ = false;
+    std::int64_t vertices_ = 0, faces_ = 0; ///< counts that the current mesh promised
     /// Indices of the current mesh's first vertex and first face.
     std::size_t base_ = 0, first_face_ = 0;
     l3d_detail::corner_normals normals_;

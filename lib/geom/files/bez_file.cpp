@@ -107,8 +107,8 @@ private:
         return true;
     }
 
-    /// Divides a homogeneous point by its weight, and keeps the weight. A patch's weights may be
-    /// negative if all are the same.
+    /// Divides a homogeneous point by its weight, and appends the weight to `weights`. A patch's
+    /// weights may be negative if all are equal.
     bool divide(std::array<double, 3>& p, std::vector<double>& weights) {
         double weight = 0;
         if (!real(weight, "a weight"))

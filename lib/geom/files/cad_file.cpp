@@ -23,7 +23,7 @@ using vector = l3d_nurbs_surface::vector;
 
 constexpr std::size_t most_notes = 20;
 
-/// Whether a STEP or IGES text ends as its format demands, so that it is not cut off.
+/// Whether a STEP or IGES text ends as its format demands. If not, the text was cut off.
 bool is_whole(std::string_view text, bool is_iges) {
     constexpr std::size_t column = 72; // an IGES line has a letter for its kind there
     while (text.ends_with('\n') || text.ends_with('\r') || text.ends_with(' '))
@@ -35,8 +35,8 @@ bool is_whole(std::string_view text, bool is_iges) {
     return last.size() > column && last[column] == 'T';
 }
 
-/// Splits an array of four numbers a point into points and weights. Weights are left out if all are
-/// equal.
+/// Splits an array with four numbers for each point into points and weights. Weights are left out
+/// if all are equal.
 struct weighted_points {
     std::vector<vector> points;
     std::vector<double> weights;
@@ -65,7 +65,8 @@ l3d_bspline_direction direction(std::uint64_t degree, std::vector<double> knots)
     return result;
 }
 
-/// Whether trimming leaves nothing of a piece. Its trims are then a single point (l3d_trims_in).
+/// Whether trimming leaves nothing of a piece. The piece's trims are then a single point
+/// (l3d_trims_in).
 bool is_outside(const l3d_patch_points& piece) {
     return piece.trims.size() == 1 && piece.trims[0].size() == 1 &&
            piece.trims[0][0].points.size() == 2 &&
@@ -157,7 +158,7 @@ private:
         }
     }
 
-    /// Notes the time that reading took, unless it is too short to be noticed.
+    /// Adds a note on the time that reading took, unless it is too short to be noticed.
     void read_effort(cad_reader& from) {
         constexpr double noticed = 1; // second
         const double seconds = from.number(), bytes = from.number();

@@ -20,11 +20,11 @@ inline constexpr std::uint32_t cad_version = 2;
 /// The interface of the plug-in libl3d_cad.so, which reads STEP and IGES files.
 struct cad_plugin : plugin_interface {
     /// Reads the text of a STEP or an IGES file, and passes its surfaces as records to take(to,
-    /// bytes, size), piece by piece. Lengths are in millimetres. A few times a second it calls
-    /// tell(to, share) with the share of the work that is done, and stops if that returns 0.
+    /// bytes, size), piece by piece. Lengths are in millimetres. A few times a second, read() calls
+    /// tell(to, share) with the share of the work that is done. If tell() returns 0, read() stops.
     ///
-    /// Shape:  records as cad_record lists them: the kind's number, then its fields. Texts and
-    ///         lists begin with their length.
+    /// Shape:  records as cad_record lists them: the kind's number, then the record's fields. Texts
+    ///         and lists begin with their length.
     /// Errors: returns 0, with one line in `why`, which has room for `room` bytes with the zero at
     ///         its end.
     int (*read)(const char* text, std::size_t size, int is_iges, void* to,
@@ -36,7 +36,7 @@ struct cad_plugin : plugin_interface {
 enum class cad_record : std::uint64_t {
     end,      ///< the last record of the file's content; without it, the records were cut off
     effort,   ///< seconds, bytes: time and memory of reading; follows `end`
-    note,     ///< text: about something left out or changed
+    note,     ///< text: a remark on something left out or changed
     material, ///< colour 0xRRGGBB, opacity: for faces and curves that follow
     of_place, ///< the faces and curves that follow take the material of their shape's `place`
     shape,    ///< the faces and curves that follow are a shape; shapes count from 0
@@ -47,8 +47,8 @@ enum class cad_record : std::uint64_t {
     curve, ///< curve: a line in space that bounds no face
     /// Degree along u, knots, degree along v, knots, points of x, y, z and weight, u fastest;
     /// number of loops. Each loop is the number of its curves, and the curves. A curve of a loop
-    /// begins with its edge's number or l3d_no_edge, and the edge's parameters at its ends. Then
-    /// comes a curve of u, v, 0 and weight.
+    /// begins with the number of its edge or l3d_no_edge, and the edge's parameters at the curve's
+    /// ends. Then comes a curve record whose points are u, v, 0 and weight.
     face,
 };
 

@@ -74,7 +74,7 @@ std::uint64_t corner_normals::said_by(std::size_t corner, std::size_t face) cons
     return groups == 0 ? flat : groups | grouped;
 }
 
-/// Gives each vertex one normal: it keeps the first normal among its corners, and each other normal
+/// Gives each vertex one normal: the first normal among the vertex's corners. Each further normal
 /// gets a new vertex at the same place.
 void corner_normals::divide_vertices(l3d_polygon_mesh& mesh) const {
     const bool has_groups = std::ranges::any_of(

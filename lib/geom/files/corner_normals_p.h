@@ -13,15 +13,16 @@ namespace l3d_detail {
 
 /// Makes normals of vertices from a file's data on corners and faces.
 ///
-/// A mesh has one normal for each vertex. So a vertex whose corners have several becomes several
-/// vertices at one place: the first keeps its index, and the others come behind the last.
+/// A mesh has one normal for each vertex. If the corners of a vertex have several normals, the
+/// vertex becomes several vertices at one place. The first keeps its index, and the others come
+/// behind the mesh's last vertex.
 ///
-/// A corner has the normal that it names. Without one, the smoothing groups of its face decide. The
-/// normal is then the mean, weighted by area, of those faces around the vertex that share a group
-/// with this face. A face in no group is flat. A face without an entry in the file gets zero
-/// normals, so that creases are found by angles.
-/// Cost:    linear, except for a vertex at which faces of many groups meet: there, the product of
-///          the numbers of faces and of groups.
+/// A corner has the normal that it names. Without a named normal, the smoothing groups of its face
+/// decide. The normal is then the mean, weighted by area, of those faces around the vertex that
+/// share a group with this face. A face in no group is flat. A face without an entry in the file
+/// gets zero normals, so that creases are found by angles.
+/// Cost:    linear, except for vertices at which faces of many groups meet. Such a vertex costs the
+///          product of the numbers of its faces and groups.
 class corner_normals {
 public:
     using vector = l3d_polygon_mesh::vector;
@@ -31,20 +32,20 @@ public:
     /// The number of normals so far.
     std::size_t count() const { return normals_.size(); }
 
-    /// Gives the mesh's last corner the normal of this index. Returns false, and gives none, if the
-    /// normal has no direction.
+    /// Gives the mesh's last corner the normal of this index. Returns false, and gives no normal,
+    /// if the normal has no direction.
     bool give_to_last_corner(const l3d_polygon_mesh& mesh, std::uint32_t normal);
 
-    /// Puts the last face of the mesh into smoothing groups, one for each of the lower 32 bits.
-    /// `numbered` plus a number stands for the single group of that number instead.
+    /// Puts the last face of the mesh into smoothing groups: bit i of the lower 32 bits stands for
+    /// group i + 1. `numbered` plus a number stands for the single group of this number instead.
     void give_to_last_face(const l3d_polygon_mesh& mesh, std::uint64_t groups);
     static constexpr std::uint64_t numbered = std::uint64_t{1} << 63;
 
     /// Whether any corner has a normal, or any face has groups.
     bool any() const { return !of_corners_.empty() || !of_faces_.empty(); }
 
-    /// Gives the mesh its normals, once the whole file is read. A vertex without a face gets the
-    /// normal of its own index, unless there are faces and none names a normal or group.
+    /// Gives the mesh its normals, once the whole file is read. Vertex i gets normal i if it has no
+    /// face, unless the mesh has faces and no face names a normal or group.
     /// Errors: as l3d_polygon_mesh::index_of.
     void finish(l3d_polygon_mesh& mesh);
 
@@ -63,9 +64,9 @@ private:
     void divide_vertices(l3d_polygon_mesh& mesh) const;
 
     std::vector<vector> normals_;
-    /// Per corner, its normal's index or `none`, also beyond the end.
+    /// Per corner, its normal's index or `none`. Corners beyond the array's end have `none`.
     std::vector<std::uint32_t> of_corners_;
-    std::vector<std::uint64_t> of_faces_; ///< per face, its groups or `unsaid`, also beyond the end
+    std::vector<std::uint64_t> of_faces_; ///< per face, its groups; `unsaid` beyond the array's end
 };
 
 } // namespace l3d_detail

@@ -175,8 +175,8 @@ gltf_document::gltf_document(std::string_view text) : bytes_(text.size()) {
     read_container(text);
 }
 
-/// Reads a .glb file: a header of three words, then chunks of a length, a type and bytes. The first
-/// chunk is JSON; at most one more, with binary data, is read.
+/// Reads a .glb file: a header of three words, then chunks. A chunk is a length, a type and bytes.
+/// The first chunk is JSON; at most one more chunk, with binary data, is read.
 void gltf_document::read_container(std::string_view text) {
     constexpr std::string_view mark = "\xEF\xBB\xBF";
     constexpr std::size_t header = 12, chunk_header = 8;

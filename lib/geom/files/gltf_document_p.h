@@ -22,14 +22,14 @@ namespace l3d_detail {
 class gltf_error : public std::runtime_error {
 public:
     /// `line` is 0 for an error inside the JSON. `what` then begins with the place in the document.
-    /// A line would tell less, since the whole JSON may be one line.
+    /// A line number would tell less, since the whole JSON may be one line.
     explicit gltf_error(const std::string& what, std::size_t line = 0)
         : std::runtime_error((line > 0 ? std::to_string(line) + ": " : " ") + what) {}
 };
 
 /// A value of the JSON document, which knows its place in the document.
 ///
-/// Every function that finds an error throws a gltf_error that begins with the place.
+/// Every function that finds an error throws a gltf_error whose message begins with this place.
 /// Lives: borrows the document.
 class gltf_value {
 public:
@@ -42,14 +42,14 @@ public:
     gltf_value at(const char* name) const;
     /// An element of an array member. Errors: the element is missing.
     gltf_value element(const char* name, std::size_t index) const;
-    /// The number of elements of an array member; 0 if it is left out.
+    /// The number of elements of an array member; 0 if the member is missing.
     std::size_t count(const char* name) const;
     gltf_value operator[](std::size_t index) const;
     std::size_t size() const;
 
     /// The value as a whole number from 0 to 2^53, up to which JSON numbers are exact.
     std::uint64_t whole() const;
-    /// The whole number of a member; `missing` if the member is left out.
+    /// The whole number of a member; `missing` if the object has no such member.
     std::uint64_t whole_or(const char* name, std::uint64_t missing) const;
     double number() const;
     bool flag_or(const char* name, bool missing) const;
@@ -83,22 +83,23 @@ public:
     /// Parses the text of a .gltf or .glb file. Lives: borrows the text.
     explicit gltf_document(std::string_view text);
 
-    /// Reads the buffers. Call it once, before numbers(). A faulty buffer is an error only once
-    /// something in it is read.
+    /// Reads the buffers. Call it once, before numbers(). A faulty buffer is an error only when
+    /// something in the buffer is read.
     void read_buffers(const l3d_other_files& files);
 
     gltf_value root() const { return {json_, ""}; }
 
-    /// The numbers of the accessor that `at` names. The accessor's type must be one of `types`,
-    /// such as "VEC3 VEC4". `is_index` asks for whole numbers that are not negative.
+    /// The numbers of the accessor whose index is `at`. The accessor's type must be one of `types`,
+    /// such as "VEC3 VEC4". If `is_index`, the numbers must be whole and not negative.
     gltf_numbers numbers(const gltf_value& at, std::string_view types, bool is_index) const;
 
     /// The bytes of an element of `images`: they are in another file, in the text itself, or in a
     /// bufferView.
     std::string image_bytes(const gltf_value& image, const l3d_other_files& files) const;
 
-    /// Counts the bytes that reading takes, since a file may name the same numbers again and again.
-    /// Errors: gltf_error beyond 32 times the files' size, if that is also beyond 16 MB.
+    /// Counts `bytes` of memory that reading takes, since a file may name the same numbers again
+    /// and again.
+    /// Errors: gltf_error beyond 32 times the size of the files, if this is also beyond 16 MB.
     void take_memory(std::size_t bytes) const;
 
 private:

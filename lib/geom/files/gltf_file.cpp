@@ -46,8 +46,8 @@ public:
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
           materials_(document, model, name_, files) {}
 
-    /// Checks the version. Call this before buffers are read, since other versions define them
-    /// differently.
+    /// Checks the version of the format. Call this before buffers are read, since other versions
+    /// define buffers differently.
     void check_version() {
         const std::string version = root_.at("asset").at("version").text();
         if (!version.starts_with("2."))
@@ -85,8 +85,8 @@ private:
                extension == l3d_detail::glossiness;
     }
 
-    /// Notes the extensions that are used and not read, the first three by name. Those of textures
-    /// have their own note, and those of descriptions need none.
+    /// Adds a note on extensions that are used and not read, with the first three names. Extensions
+    /// of textures have their own note, and extensions of descriptions need none.
     void note_extensions() {
         constexpr std::size_t most_named = 3;
         std::string names;
@@ -142,7 +142,7 @@ private:
                l3d_scaling<double>(scale[0], scale[1], scale[2]);
     }
 
-    /// The placements of a node's mesh, in the node's coordinates: one, unless
+    /// The placements of a node's mesh, in the node's coordinates. There is one placement, unless
     /// EXT_mesh_gpu_instancing lists more.
     std::vector<matrix> instances_of(const gltf_value& node) {
         if (!node.has("extensions") || !node.at("extensions").has(instancing))
@@ -327,7 +327,8 @@ private:
         return places.count;
     }
 
-    /// Fails for a vertex without a finite place only if an index names the vertex.
+    /// Fails if an index names a vertex without a finite place. Ignores such vertices that no index
+    /// names.
     void check_places(const gltf_value& at, std::span<const std::uint32_t> indices) {
         if (odd_.empty())
             return;
@@ -344,8 +345,8 @@ private:
                     std::to_string(vertices));
     }
 
-    /// Reads the normals of a primitive, and transforms them by the cofactors of the placement,
-    /// which keep them perpendicular.
+    /// Reads the normals of a primitive, and transforms them by the cofactors of the placement.
+    /// Cofactors keep normals perpendicular.
     void read_normals(const gltf_value& at, const matrix& to_scene, std::size_t vertices) {
         const gltf_numbers normals = document_.numbers(at, "VEC3", false);
         check_count(at, normals.count, vertices);

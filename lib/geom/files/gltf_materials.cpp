@@ -16,8 +16,8 @@ std::uint32_t word_of(const std::array<double, 3>& light) {
     return word;
 }
 
-/// Whether a material has properties that are not drawn. glTF takes a metal or roughness factor
-/// that is left out for 1.
+/// Whether a material has properties that are not drawn. A missing factor of metal or roughness
+/// counts as 1, as glTF says.
 bool says_more_than_color(const gltf_value& material) {
     std::array<double, 3> own_light{0, 0, 0};
     read_array(material, "emissiveFactor", own_light);

@@ -18,7 +18,8 @@
 
 namespace l3d_detail {
 
-/// The extension for materials of diffuse colour and glossiness, glTF's older model.
+/// The extension for materials of diffuse colour and glossiness, an older model than metal and
+/// roughness.
 inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 
 /// Encodes an amount of linear light as sRGB.
@@ -26,7 +27,7 @@ inline constexpr const char* glossiness = "KHR_materials_pbrSpecularGlossiness";
 /// Source: IEC 61966-2-1, sRGB.
 double encoded(double light);
 
-/// Reads the numbers of an array member into `out`; false if there is no such member.
+/// Reads the numbers of an array member into `out`. Returns false if the member is missing.
 /// Errors:  gltf_error if the member does not have N numbers.
 template <std::size_t N>
 bool read_array(const gltf_value& of, const char* name, std::array<double, N>& out) {
@@ -50,7 +51,7 @@ public:
         : root_(document.root()), document_(document), model_(model), name_(std::move(name)),
           files_(files) {}
 
-    /// Reads all materials. Errors: gltf_error; but a faulty picture becomes a note.
+    /// Reads all materials. Errors: gltf_error. A faulty picture is no error, but becomes a note.
     void read();
 
     /// The n of the attribute TEXCOORD_n, which places a material's picture.
@@ -75,7 +76,7 @@ private:
     l3d_model_file& model_;
     std::string name_;
     const l3d_other_files& files_;
-    /// Indices of the mesh's pictures, by image and by the codes for wrapping along u and v.
+    /// Indices of the mesh's pictures. A key is an image and the codes for wrapping along u and v.
     std::map<std::tuple<std::uint64_t, std::uint64_t, std::uint64_t>, int> pictures_;
     std::vector<std::uint64_t> sets_; ///< set_of_places() of each material
     bool shines_ = false, has_other_textures_ = false, has_transforms_ = false;

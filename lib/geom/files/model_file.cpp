@@ -30,8 +30,8 @@ std::optional<l3d_model_file> read_bpt(std::string_view text, std::string_view n
     return l3d_model_file{{}, *std::move(patches), {}};
 }
 
-/// Whether a text begins with a line of IGES: 80 columns, the last 8 of them the section's letter,
-/// S, and the line's number, 1.
+/// Whether a text begins with a line of IGES. The line has 80 columns; the last 8 hold the letter
+/// of the section, S, and the line's number, 1.
 bool is_iges(std::string_view text) {
     constexpr std::size_t columns = 80, kind = 72;
     if (text.size() < columns)

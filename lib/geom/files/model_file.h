@@ -70,8 +70,8 @@ struct L3D_PUBLIC l3d_model_camera {
 
 /// A curve in space at which trimmed faces end (l3d_trim_curve::edge).
 struct L3D_PUBLIC l3d_model_edge {
-    l3d_nurbs_curve curve; ///< the edge's place
-    double tolerance = 0;  ///< the distance that the file allows between the curve and its faces
+    l3d_nurbs_curve curve; ///< the edge itself
+    double tolerance = 0;  ///< the distance that the file allows between the edge and its faces
 
     friend bool operator==(const l3d_model_edge&, const l3d_model_edge&) = default;
 };
@@ -86,7 +86,7 @@ struct L3D_PUBLIC l3d_patch_error {
     friend bool operator==(const l3d_patch_error&, const l3d_patch_error&) = default;
 };
 
-/// A shape of a model, which begins with these patches and curves. It ends where the next one
+/// A shape of a model: the patches and curves from these indices on, up to where the next shape
 /// begins.
 struct L3D_PUBLIC l3d_model_shape {
     std::uint32_t first_patch = 0; ///< index in l3d_model_file::patches
@@ -109,7 +109,7 @@ struct L3D_PUBLIC l3d_model_placement {
     friend bool operator==(const l3d_model_placement&, const l3d_model_placement&) = default;
 };
 
-/// The contents of a model file: polygons, patches and curves, in the file's own coordinates.
+/// The contents of a model file: polygons, patches and curves, all in the coordinates of this file.
 struct L3D_PUBLIC l3d_model_file {
     l3d_polygon_mesh mesh;                 ///< the polygons; without faces if there are none
     std::vector<l3d_patch_points> patches; ///< the surface patches, of any degrees
@@ -129,11 +129,11 @@ struct L3D_PUBLIC l3d_model_file {
     std::vector<std::uint32_t> curve_materials{};
     std::vector<l3d_model_edge> edges{}; ///< the edges that trims of patches follow
     l3d_cage_tags tags{};                ///< sharp edges and vertices for subdivision: `t` of .obj
-    std::vector<l3d_patch_error> patch_errors{}; ///< optional, one per patch: its error
+    std::vector<l3d_patch_error> patch_errors{}; ///< optional: the error of each patch
     /// Optional, one per patch: the number of the patch's face in the file, from 1.
     std::vector<std::uint32_t> patch_faces{};
-    /// Optional: groups of the patches and curves, in their order. Then `placements` say where each
-    /// group stands, and patch_parts is empty. l3d_flattened makes copies instead.
+    /// Optional: groups of the patches and curves, in the order of these arrays. Then `placements`
+    /// say where each group stands, and patch_parts is empty. l3d_flattened makes copies instead.
     std::vector<l3d_model_shape> shapes{};
     /// The places of the shapes, at least one for each. A shape is seen only at these places.
     std::vector<l3d_model_placement> placements{};
@@ -142,10 +142,11 @@ struct L3D_PUBLIC l3d_model_file {
 };
 
 /// The same model without shapes: each placement gets its own patches, curves and edges, as a part
-/// with its name. Edges that several shapes share stay shared where they stand at one place.
+/// with the placement's name. Edges that several shapes share stay shared where these shapes stand
+/// at one place.
 L3D_PUBLIC l3d_model_file l3d_flattened(const l3d_model_file& model);
 
-/// The patches, curves and edges of one shape, in its own coordinates. `material` replaces
+/// The patches, curves and edges of one shape, in the shape's own coordinates. `material` replaces
 /// l3d_material_of_place. Expects: an index of shapes.
 L3D_PUBLIC l3d_model_file l3d_shape_of(const l3d_model_file& model, std::size_t shape,
                                        std::uint32_t material);
@@ -155,8 +156,8 @@ L3D_PUBLIC l3d_model_file l3d_shape_of(const l3d_model_file& model, std::size_t 
 using l3d_other_files =
     std::function<std::optional<std::string>(const std::string& name, std::string& why)>;
 
-/// The format of a text, by its first word or, for a binary .stl, by its size; nothing for an
-/// unknown one.
+/// The format of a text, by its first word or, for a binary .stl, by its size. Nothing for an
+/// unknown format.
 L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view text);
 
 /// Reads a model of any of the formats. docs/FORMATS.md lists the features that are read, skipped
@@ -164,14 +165,15 @@ L3D_PUBLIC std::optional<l3d_model_format> l3d_model_format_of(std::string_view 
 /// l3d_read_model_with.
 ///
 /// Coordinates are finite and at most l3d_bpt_largest_coordinate in magnitude; the mesh is valid.
-/// Errors:  nothing, and `why` = "name:line: what is wrong". In a binary part of a file, the line
-///          is the one where the part begins, and the message names the byte.
+/// Errors:  nothing, and `why` = "name:line: what is wrong". For an error in a binary part of a
+///          file, the line is the one where this part begins, and the message names the byte.
 /// Cost:    time linear in the text; memory at most 80 bytes per byte of text, or 40 MB for glTF.
 ///          Counts in the text are checked before memory is taken for them.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model(std::string_view text,
                                                         std::string_view name, std::string& why);
 
-/// Reads a model as l3d_read_model does, and the files that it names: buffers and pictures of glTF.
+/// Reads a model as l3d_read_model does, and also the files that the model names: buffers and
+/// pictures of glTF.
 /// Errors:  as l3d_read_model.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_model_with(const l3d_other_files& files,
                                                              std::string_view text,
@@ -195,7 +197,8 @@ L3D_PUBLIC l3d_model_reader l3d_read_asc, ///< reads .asc, 3D Studio's text form
 
 /// The reader of glTF 2.0.
 /// Errors:  as l3d_read_model, but the message names a place in the document, such as
-///          "accessors[3].count", and no line. If the text is not JSON, it names line and byte.
+///          "accessors[3].count", and no line. If the text is not JSON, the message names line and
+///          byte.
 /// Cost:    as l3d_read_model; memory is counted for each byte of this text and of the other files.
 L3D_PUBLIC std::optional<l3d_model_file> l3d_read_gltf(std::string_view text, std::string_view name,
                                                        std::string& why,
@@ -213,8 +216,8 @@ struct L3D_PUBLIC l3d_named_material {
 };
 
 /// Reads the materials of an .mtl file: Kd, Ks, Ns, illum, d, Tr and map_Kd. Lines that cannot be
-/// read are skipped, since no model should be lost for a colour. The first 20 of them get a note
-/// "name:line: what".
+/// read are skipped, since no model should be lost for a colour. The first 20 skipped lines get a
+/// note "name:line: what".
 L3D_PUBLIC std::vector<l3d_named_material>
 l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::string>& notes);
 
@@ -223,13 +226,13 @@ l3d_read_mtl(std::string_view text, std::string_view name, std::vector<std::stri
 L3D_PUBLIC void l3d_give_looks(l3d_polygon_mesh& mesh,
                                std::span<const l3d_named_material> materials);
 
-/// Returns the text of an .off file. Reading it gives the same vertices, faces, normals and
+/// Returns the text of an .off file. Reading the text gives the same vertices, faces, normals and
 /// colours, bit for bit. Parts and materials are left out, and so are colours of vertices if faces
 /// have colours.
 /// Expects: a valid mesh.
 L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 
-/// Returns the text of an .obj file. Reading it gives the same model, bit for bit, except for
+/// Returns the text of an .obj file. Reading the text gives the same model, bit for bit, except for
 /// colours of faces, looks of materials, pictures, cameras and notes, which are left out.
 ///
 /// Expects: a valid mesh with a material for every face if it has materials; patches of degrees 1
@@ -238,8 +241,8 @@ L3D_PUBLIC std::string l3d_write_off(const l3d_polygon_mesh& mesh);
 L3D_PUBLIC std::string l3d_write_obj(const l3d_model_file& model);
 
 /// Reads the surfaces of an .obj file with their own knots and control points, for programs that
-/// change these. l3d_read_obj gives Bezier patches instead: the pieces() of these surfaces, in the
-/// same order.
+/// edit knots and points. l3d_read_obj gives Bezier patches instead: the pieces() of these
+/// surfaces, in the same order.
 /// Errors: as l3d_read_obj. A file without surfaces is no error.
 /// Cost:   as l3d_read_obj, and the memory of the surfaces.
 L3D_PUBLIC std::optional<std::vector<l3d_nurbs_surface>>

@@ -21,7 +21,8 @@
 
 namespace l3d_detail {
 
-/// The most vertices of a mesh, whose indices have 32 bits. A text that announces more is refused.
+/// The most vertices of a mesh, whose indices have 32 bits. A text that announces more vertices is
+/// refused.
 inline constexpr std::int64_t most_vertices = std::numeric_limits<std::uint32_t>::max();
 
 /// Gives materials to faces, by name. Lives: borrows the mesh and the names' text.
@@ -29,7 +30,7 @@ class face_materials {
 public:
     explicit face_materials(l3d_polygon_mesh& mesh) : mesh_(mesh) {}
 
-    /// The index of the material `name`, which is made at the name's first use.
+    /// The index of the material `name`. The first use of a name makes the material.
     std::uint32_t named(std::string_view name) {
         const auto next = static_cast<std::uint32_t>(mesh_.materials.size());
         const auto [place, is_new] = indices_.try_emplace(std::string(name), next);
@@ -47,9 +48,9 @@ public:
     /// Stands for a missing material until the whole text is read.
     static constexpr std::uint32_t nothing = std::numeric_limits<std::uint32_t>::max();
 
-    /// Completes the materials of faces, patches and curves, once all is read. If some of a kind
-    /// have a material, the others of that kind get one without a name. If nothing has a material,
-    /// the mesh keeps no names of materials.
+    /// Completes the materials of faces, patches and curves, once the whole text is read. If only
+    /// some faces have a material, the others get one without a name; likewise for patches and for
+    /// curves. If nothing has a material, the mesh keeps no names of materials.
     void finish(std::vector<std::uint32_t>& patches, std::vector<std::uint32_t>& curves) {
         for (std::vector<std::uint32_t>* const of : {&patches, &curves})
             if (std::ranges::all_of(*of, [](std::uint32_t m) { return m == nothing; }))
@@ -69,8 +70,8 @@ private:
     std::unordered_map<std::string, std::uint32_t> indices_;
 };
 
-/// Collects the colours of vertices. If the corners of each face agree, the mesh gets them as
-/// colours of faces, which are drawn faster.
+/// Collects the colours of vertices. If all corners of each face have the same colour, the mesh
+/// gets colours of faces instead, which are drawn faster.
 class vertex_colors {
 public:
     /// Gives the last vertex a colour. Expects: there is a vertex.
@@ -78,9 +79,9 @@ public:
         give(mesh.vertices.size() - 1, color);
     }
 
-    /// Gives a vertex a colour; vertices without one are white.
-    /// Units:   components from 0 to 1 or, if any is 2 or more, from 0 to 255. Values outside are
-    /// clamped; NaN counts as the largest.
+    /// Gives a vertex a colour; vertices without a colour are white.
+    /// Units:   components from 0 to 1 or, if any component in the file is 2 or more, from 0 to
+    ///          255. Values outside are clamped; NaN counts as the largest.
     /// Expects: vertices come in their order.
     void give(std::size_t vertex, const double* color) {
         colors_.resize(vertex, white);
@@ -121,8 +122,8 @@ public:
     }
 
 private:
-    /// The colour white, for vertices without a colour. Its components are larger than any other,
-    /// so that they are clamped to 1 on either scale.
+    /// The colour white, for vertices without a colour. Its components are above 255, so that they
+    /// are clamped to 1 whether components end at 1 or at 255.
     static constexpr std::array<float, 3> white{256, 256, 256};
 
     std::vector<std::array<float, 3>> colors_;
@@ -154,12 +155,13 @@ inline void append_color(std::string& text, std::uint32_t word) {
 inline constexpr const char* odd_places_note =
     "vertices that no face uses are not finite, or beyond 1e12: they are skipped";
 
-/// Collects the coordinates of vertices that are not finite, or beyond 1e12. Some programs write
-/// such vertices, but no face uses them. They are moved to the origin.
+/// Collects coordinates of vertices that are not finite, or beyond 1e12. Some programs write
+/// vertices with such coordinates, but no face uses these vertices. The vertices are moved to the
+/// origin.
 class odd_coordinates {
 public:
-    /// Checks a coordinate of the next vertex, read from the current token or from `digits` in it.
-    /// A coordinate that is not allowed is collected, and set to 0.
+    /// Checks a coordinate of the next vertex. The current token, or `digits` in it, is the
+    /// coordinate's text. A coordinate that is not allowed is collected, and set to 0.
     void check(const text_cursor& text, const l3d_polygon_mesh& mesh, double& value,
                std::string_view digits = {}) {
         if (std::abs(value) <= l3d_bpt_largest_coordinate)
@@ -170,8 +172,8 @@ public:
 
     /// Whether all vertices with collected coordinates are unused: no corner uses them, and
     /// is_used(index) is false for them.
-    /// Errors: as text_cursor::is_coordinate, for the first collected coordinate in the text that
-    ///         is used.
+    /// Errors: as text_cursor::is_coordinate, for the first coordinate in the text that is
+    ///         collected and used.
     template <class Used>
     bool are_unused(text_cursor& text, l3d_polygon_mesh& mesh, const Used& is_used) {
         if (found_.empty())
@@ -240,8 +242,8 @@ inline void forget_odd_normals(l3d_polygon_mesh& mesh) {
 }
 
 /// Reads a model by read(cursor, model), which returns whether it succeeded. The readers of all
-/// formats end with a call of this function. If `comment` is given, text from it to the end of its
-/// line is skipped.
+/// formats end with a call of this function. If `comment` is given, this character begins a
+/// comment, which is skipped to the end of the line.
 /// Errors: nothing, and the cursor's reason in `why`.
 template <class Read>
 std::optional<l3d_model_file> read_model_by(Read read, std::string_view text, std::string_view name,

@@ -14,7 +14,7 @@ using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// Statements of looks that are not drawn; each kind is noted once.
+/// Statements of looks that are not drawn; the first statement of each kind gets a note.
 constexpr std::string_view noted_statements[] = {
     "map_Ka", "map_Ks", "map_Ke", "map_Ns", "map_d",  "map_bump", "map_Bump", "bump",  "disp",
     "decal",  "refl",   "norm",   "Tf",     "map_Pr", "map_Pm",   "map_Ps",   "map_Tr"};
@@ -97,8 +97,9 @@ private:
             read_picture(materials_.back().picture);
     }
 
-    /// Reads options and the name of a file, which may have blanks. A word or some numbers follow
-    /// an option; "-clamp on" repeats the picture's border instead of the picture.
+    /// Reads options and the name of a picture's file, which may have blanks. After an option comes
+    /// a word or some numbers. "-clamp on" continues the picture's border instead of repeating the
+    /// picture.
     void read_picture(l3d_mesh_picture& picture) {
         std::string_view line = text_.name_in_line();
         const auto word = [&] { return line.substr(0, line.find_first_of(" \t")); };
@@ -130,8 +131,8 @@ private:
         picture = read;
     }
 
-    /// Reads opacity: "d" is how opaque a material is, "Tr" how clear; files have either, or both.
-    /// "-halo" would make surfaces opaque where they are seen edge on.
+    /// Reads opacity: "d" is how opaque a material is, "Tr" how clear. Files have either or both.
+    /// "-halo" would make surfaces more opaque where they are seen edge on.
     void read_opacity(std::string_view word, l3d_material& look) {
         double value = 0;
         if (!text_.next_in_line())
@@ -161,7 +162,8 @@ private:
         return false;
     }
 
-    /// Reads three components from 0 to 1, or one for all. Spectra and CIE's X, Y, Z are not read.
+    /// Reads three components from 0 to 1, or one number for all three. Spectra and CIE's X, Y, Z
+    /// are not read.
     void read_color(std::uint32_t& color) {
         std::array<double, 3> components{};
         std::size_t count = 0;

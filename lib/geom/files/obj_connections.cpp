@@ -15,7 +15,7 @@ namespace l3d_detail {
 
 namespace {
 
-/// Brings a parameter into a surface's range; on a closed surface, it wraps around.
+/// Brings a parameter into a surface's range. On a closed surface, the parameter wraps around.
 double in_range(double at, const l3d_bspline_direction& along, bool is_closed) {
     const double period = along.to - along.from;
     if (is_closed)
@@ -28,7 +28,7 @@ double in_range(double at, const l3d_bspline_direction& along, bool is_closed) {
 /// One side of a connection: a part of a trim curve of a surface.
 struct obj_surfaces::connected {
     std::uint32_t surface = 0, curve = 0;
-    double from = 0, to = 0; ///< parameters of the curve where the edge begins and ends
+    double from = 0, to = 0; ///< the curve's parameters at the edge's beginning and end
 };
 
 bool obj_surfaces::read_connected(connected& side) {
@@ -45,7 +45,8 @@ bool obj_surfaces::read_connected(connected& side) {
     return obj_index(text_, text_.token(), trim_curves_.size(), side.curve);
 }
 
-/// Reads a connection of two surfaces along an edge, which lies where the first one's trim does.
+/// Reads a connection of two surfaces along an edge. The edge lies where the first surface's trim
+/// does.
 bool obj_surfaces::read_connection() {
     if (open_ != opened::nothing)
         return text_.fail("a connection before the end of a surface or curve");
@@ -90,8 +91,8 @@ bool obj_surfaces::follow(const connected& side, std::uint32_t edge) {
                                   " that no trim has, or that another con has");
 }
 
-/// The edge in space that a trim curve makes: as many cubics as its accuracy takes, each through
-/// four points.
+/// The edge in space that a trim curve makes. The edge has as many cubics as its accuracy takes;
+/// each goes through four points of the surface.
 std::optional<l3d_model_edge> obj_surfaces::edge_along(const connected& side) const {
     constexpr double wanted = 0x1p-30; // relative to the edge's extent
     constexpr std::size_t most_cubics = 1024, places = 16;
@@ -145,7 +146,7 @@ std::optional<l3d_model_edge> obj_surfaces::edge_along(const connected& side) co
     }
 }
 
-/// Makes the curves that no connection names follow no edge.
+/// Lets trim curves that no connection names follow no edge.
 void obj_surfaces::forget_unconnected() {
     for (l3d_patch_points& patch : patches_)
         for (l3d_trim_loop& loop : patch.trims)

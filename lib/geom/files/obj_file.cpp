@@ -17,7 +17,7 @@ using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// Statements that are skipped without a note, since nobody sees their loss.
+/// Statements that are skipped without a note, since their loss cannot be seen.
 constexpr std::string_view silent_statements[] = {"mg",    "lod",      "bevel",   "ctech",
                                                   "stech", "c_interp", "d_interp"};
 
@@ -99,8 +99,8 @@ private:
         return true;
     }
 
-    /// Begins a part at the first face or patch that belongs to the part. Names to which nothing
-    /// belongs are forgotten.
+    /// Begins the part part_ at the first face or patch that belongs to it. A name to which nothing
+    /// belongs is forgotten.
     void begin_part(std::vector<l3d_part_run>& parts, bool& is_new, std::size_t first) const {
         if (is_new && !(part_.empty() && first == 0))
             parts.push_back({part_, static_cast<std::uint32_t>(first)});
@@ -115,8 +115,8 @@ private:
             ;
     }
 
-    /// Reads a statement `s`. With one word it sets the smoothing group; `off` or 0 is none. With
-    /// four numbers it sets the part of the picture that the window fills.
+    /// Reads a statement `s`. With one word, `s` sets the smoothing group; `off` or 0 is none. With
+    /// four numbers, `s` sets the part of the picture that the window fills.
     bool read_group_or_viewport() {
         if (!text_.next_in_line())
             return true;
@@ -219,7 +219,7 @@ private:
     }
 
     /// Reads a place in a picture (vt), which files measure from the picture's bottom left corner.
-    /// Numbers left out are 0, and so is the place of a corner that names none.
+    /// Missing numbers are 0, and so is the place of a corner that names none.
     bool read_picture_place() {
         double place[2] = {0, 0};
         for (int i = 0; i < 2 && text_.next_in_line(); ++i)
@@ -278,8 +278,8 @@ private:
         return true;
     }
 
-    /// Gives the last corner the place in its picture that `digits` numbers. A bad number becomes
-    /// (0, 0), so that no model is lost.
+    /// Gives the last corner the place in its picture whose number `digits` spells. A bad number
+    /// stands for (0, 0), so that no model is lost.
     void give_picture_place(std::string_view digits) {
         if (picture_places_.empty())
             return;
@@ -350,12 +350,13 @@ private:
     std::optional<std::uint32_t> material_;
     std::string part_; ///< the name of the part that comes next
     bool is_new_to_faces_ = false, is_new_to_patches_ = false;
-    /// The smoothing group of the faces that follow: 0 if they are flat, nothing before the first
-    /// `s`.
+    /// The smoothing group of the faces that follow. 0 if these faces are flat, nothing before the
+    /// first `s`.
     std::optional<std::uint64_t> group_;
     std::unordered_map<std::string_view, std::uint64_t> group_numbers_;
     std::vector<l3d_polygon_mesh::picture_place> picture_places_; ///< places that corners may name
-    std::vector<double> weights_;                                 ///< per vertex; 1 beyond its end
+    /// Weights of vertices; 1 beyond the array's end.
+    std::vector<double> weights_;
     l3d_detail::corner_normals normals_;
     l3d_detail::odd_coordinates odd_;
 };

@@ -149,7 +149,7 @@ bool obj_surfaces::read_curve(std::size_t vertices) {
     return read_range(u_) && read_points(vertices);
 }
 
-/// Checks that a curve may begin here.
+/// Checks that a curve may begin at this place of the text.
 bool obj_surfaces::begins_curve() {
     if (open_ != opened::nothing)
         return text_.fail("a curve begins before the last one's end");
@@ -158,7 +158,7 @@ bool obj_surfaces::begins_curve() {
     return true;
 }
 
-/// Reads u, v and a weight. If v is left out, it is 0; if the weight is, it is 1.
+/// Reads u, v and a weight. A missing v is 0, a missing weight is 1.
 bool obj_surfaces::read_parameter_vertex() {
     std::array<double, 3>& p = parameter_vertices_.emplace_back(std::array<double, 3>{0, 0, 1});
     if (!number_in_line(p[0], "a parameter"))
@@ -185,7 +185,8 @@ bool obj_surfaces::read_trim_curve() {
     return read_points(parameter_vertices_.size());
 }
 
-/// Reads the loop of a trim or hole: ranges of curves that follow each other.
+/// Reads the loop of a trim or of a hole: ranges of curves, each of which begins where the one
+/// before ends.
 bool obj_surfaces::read_trim(bool is_hole) {
     const std::string word = is_hole ? "hole" : "trim";
     if (open_ != opened::surface)
@@ -264,7 +265,8 @@ bool obj_surfaces::read_parameters() {
     return true;
 }
 
-/// Makes a knot vector from the values of parm, and checks that it holds the range.
+/// Makes a knot vector from the values of `parm`, and checks that the knots hold the surface's
+/// range.
 bool obj_surfaces::complete(l3d_bspline_direction& d, const char* name) {
     const auto n = static_cast<std::size_t>(d.degree);
     const auto complain = [&](const std::string& what) {
@@ -303,10 +305,10 @@ bool obj_surfaces::end(const std::vector<vector>& vertices, const std::vector<do
     }
 }
 
-/// Counts memory that the model takes. Fails if this is more than different vertices of the text
-/// could need. A vertex takes at least 8 bytes ("v 0 0 0") and 2 more where it is named. It makes
-/// at most a rational bicubic patch of 568 bytes. A text that asks for more names the same vertices
-/// again and again.
+/// Counts memory that the model takes. Fails if this is more memory than different vertices of the
+/// text could need. A vertex takes at least 8 bytes of text ("v 0 0 0"), and 2 more bytes where it
+/// is named. A vertex makes at most a rational bicubic patch of 568 bytes. A text that asks for
+/// more memory names the same vertices again and again.
 bool obj_surfaces::takes(std::size_t bytes) {
     constexpr std::size_t most_per_byte = 48;
     patch_bytes_ += bytes;
@@ -315,7 +317,7 @@ bool obj_surfaces::takes(std::size_t bytes) {
                       " times the memory of the text");
 }
 
-/// Finds the weights of the control points, if the type is rational. Weights left out are 1.
+/// Finds the weights of the control points, if the type is rational. Missing weights are 1.
 bool obj_surfaces::weights_of(const std::vector<double>& weights, std::vector<double>& of_points) {
     for (const std::uint32_t i : indices_) {
         const double weight = i < weights.size() ? weights[i] : 1;
@@ -392,8 +394,8 @@ bool obj_surfaces::end_trim_curve() {
     return true;
 }
 
-/// Gives each piece of a surface the parts of the loops that it needs. If all loops are holes, they
-/// are cut out of the whole surface.
+/// Gives each piece of a surface the parts of the loops that matter in this piece. If all loops are
+/// holes, they are cut out of the whole surface.
 bool obj_surfaces::put_trims(std::span<l3d_patch_points> patches) {
     if (trims_.empty())
         return true;

@@ -18,12 +18,13 @@
 
 namespace l3d_detail {
 
-/// Finds the index of a thing from its number in an .obj file: 1 is the first one, -1 the last one
-/// so far. Fails if the number names nothing among the `count` things so far.
+/// Finds the index of a thing, such as a vertex, from its number in an .obj file. Number 1 is the
+/// first thing, -1 the last one so far. Fails if the number names none of the `count` things so
+/// far.
 bool obj_index(text_cursor& text, std::string_view digits, std::size_t count, std::uint32_t& index);
 
-/// Reads the statements of free-form surfaces and curves (cstype, deg, surf, curv, parm, end),
-/// their connections (con), and those of lines (l). Each surface becomes patches, and each
+/// Reads the statements of free-form surfaces and curves (cstype, deg, surf, curv, parm, end), of
+/// connections between surfaces (con) and of lines (l). Each surface becomes patches, and each
 /// connection an edge that trims follow.
 ///
 /// Lives:   borrows the cursor and the vectors that it fills.
@@ -54,8 +55,8 @@ public:
     const std::vector<bool>& control_points() const { return is_control_point_; }
 
 private:
-    /// A flag in l3d_trim_curve::edge. Until connections are read, the other bits are the number of
-    /// a curve of curv2, of which there are fewer than 2^31.
+    /// A flag in l3d_trim_curve::edge. Until connections are read, the lower 31 bits are the number
+    /// of a curve of curv2. Files have fewer than 2^31 such curves.
     static constexpr std::uint32_t unconnected = 0x80000000;
 
     enum class kind { none, bezier, bspline, other };
@@ -104,13 +105,13 @@ private:
     std::vector<std::uint32_t> indices_; ///< control points of the open surface or curve
     std::vector<bool> is_control_point_;
     std::vector<std::array<double, 3>> parameter_vertices_; ///< u, v and weight
-    /// The curves of curv2, in their order; nothing for one that is skipped.
+    /// The curves of curv2, in their order; nothing in the place of a skipped curve.
     std::vector<std::optional<l3d_nurbs_curve>> trim_curves_;
     std::vector<l3d_trim_loop> trims_; ///< the trims of the open surface
     /// Whether the open surface is trimmed from outside, not only by holes.
     bool has_outer_trim_ = false;
 
-    /// A surface that has ended. Connections after it may name it.
+    /// A surface after its `end`. Later connections may name it.
     struct ended_surface {
         std::size_t first_patch, end_patch;
         std::optional<l3d_nurbs_surface> whole; ///< the whole surface, if it is trimmed

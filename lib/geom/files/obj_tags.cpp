@@ -42,7 +42,7 @@ bool read_counts(text_cursor& text, std::array<std::int64_t, 3>& counts) {
     return true;
 }
 
-/// Whether a tag has one real for each thing that it names, or one for all. Fails if not.
+/// Whether a tag has one real for each thing that it names, or one for all things. Fails otherwise.
 bool has_reals(text_cursor& text, const tag_numbers& tag, std::size_t things) {
     return tag.reals.size() == 1 || tag.reals.size() == things ||
            text.fail("a tag '" + tag.name + "' of " + counted(things, tag.name + "s") + " has " +

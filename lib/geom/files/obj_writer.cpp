@@ -13,7 +13,7 @@ void append_vector(std::string& text, const char* word, double x, double y, doub
     l3d_detail::append(text, z, '\n');
 }
 
-/// Names all materials, so that a reader numbers them in the mesh's order.
+/// Writes the names of all materials, so that a reader numbers materials in the mesh's order.
 void append_uses(std::string& text, const l3d_polygon_mesh& mesh) {
     for (const std::string& material : mesh.materials)
         text += "usemtl " + material + '\n';

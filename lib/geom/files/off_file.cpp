@@ -64,7 +64,8 @@ public:
     }
 
 private:
-    /// The colour of faces without one. geomview draws these in 2/3 grey: round(255 * 2 / 3) = 170.
+    /// The colour of faces without one. geomview draws these faces in 2/3 grey: round(255 * 2 / 3)
+    /// = 170.
     static constexpr std::uint32_t uncolored = 0xaaaaaa;
 
     bool read_header() {
@@ -105,8 +106,8 @@ private:
                text_.plausible(faces, "faces", face);
     }
 
-    /// Whether a third count follows. Some programs leave out the number of edges: then the line
-    /// ends here, and the next one holds several numbers, the first vertex.
+    /// Whether a third count follows, the number of edges. Some programs leave it out. The line
+    /// then ends here, and the next line holds the several numbers of the first vertex.
     bool counts_edges() const {
         text_cursor ahead = text_;
         return is_binary_ || ahead.next_in_line() || (ahead.next() && !ahead.next_in_line());

@@ -17,7 +17,7 @@ std::size_t points_along(int degree) {
     return static_cast<std::size_t>(degree) + 1;
 }
 
-/// Reads the patches of a .bpt file, after checking that the text can hold so many.
+/// Reads the patches of a .bpt file, after a check that the text can hold as many as it promises.
 bool read_patches(l3d_detail::text_cursor& text, std::vector<l3d_patch_points>& patches) {
     std::int64_t count = 0;
     if (!text.integer(count, "the number of patches"))
@@ -69,7 +69,7 @@ void elevate(std::span<point> line, int degree, int target) {
 }
 
 /// Brings the curve in the first degree + 1 places of `line` to degree 3 in the first four places.
-/// False if that would move the curve by more than `rounding`.
+/// Returns false if this would move the curve by more than `rounding`.
 bool make_cubic(std::vector<point>& line, int degree, double rounding) {
     if (degree <= 3) {
         elevate(line, degree, 3);

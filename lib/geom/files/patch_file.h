@@ -18,24 +18,24 @@
 /// The value of l3d_trim_curve::edge for a curve that follows no edge.
 inline constexpr std::uint32_t l3d_no_edge = 0xffffffff;
 
-/// A rational Bezier curve in the plane of a surface's parameters. It may follow an edge of the
-/// model, a curve in space at which several faces end.
+/// A rational Bezier curve in the plane of a surface's parameters. The curve may follow an edge of
+/// the model, which is a curve in space at which several faces end.
 ///
-/// Shape: 2 to 16 control points, which say its degree; each has u, v and its weight, by which u
-///        and v are not multiplied.
+/// Shape: 2 to 16 control points; their number is the degree plus 1. Each point has u, v and a
+///        weight; u and v are not multiplied by the weight.
 struct L3D_PUBLIC l3d_trim_curve {
     std::vector<std::array<double, 3>> points; ///< u, v, weight
-    /// The index of the edge that the curve follows.
+    /// The index of the edge that the curve follows, or l3d_no_edge.
     std::uint32_t edge = l3d_no_edge;
-    /// The parameters of the edge's curve at both ends of this curve. Between the ends, the edge's
-    /// parameter changes in proportion to this curve's.
+    /// The edge's parameters at the beginning and at the end of this curve. Between the ends, the
+    /// edge's parameter changes in proportion to this curve's own parameter.
     double from = 0, to = 1;
 
     friend bool operator==(const l3d_trim_curve&, const l3d_trim_curve&) = default;
 };
 
-/// A closed loop of curves in (u, v): each begins where the one before it ends, and the first where
-/// the last ends. Straight lines close gaps that rounding left.
+/// A closed loop of curves in (u, v). Each curve begins where the one before it ends, and the first
+/// where the last ends. Straight lines close gaps that rounding left.
 using l3d_trim_loop = std::vector<l3d_trim_curve>;
 
 /// The error message for invalid loops, which names the loop at fault; "" if all are valid. A valid
@@ -51,7 +51,7 @@ struct L3D_PUBLIC l3d_patch_points {
     /// The degrees of the polynomials along u and v; 3 and 3 for a bicubic patch.
     int degree_u = 0, degree_v = 0;
     std::vector<std::array<double, 3>> points; ///< the control points, row by row: x, y, z
-    /// The weights of a rational patch, positive, one per point; empty for a polynomial patch.
+    /// The weights of a rational patch: positive, one per point. Empty for a polynomial patch.
     std::vector<double> weights = {};
     /// Loops in (u, v), each from 0 to 1, that trim the patch. A point is part of the patch if an
     /// odd number of loops winds around it an odd number of times. Without loops, all points are.
@@ -64,7 +64,7 @@ struct L3D_PUBLIC l3d_patch_points {
 inline constexpr int l3d_bpt_largest_degree = 15;
 
 /// Largest magnitude of a coordinate that l3d_read_bpt accepts. The pipeline refuses homogeneous
-/// coordinates from 1e12 on; the reader can say in which line they are.
+/// coordinates from 1e12 on; a reader's message can name the line of such a coordinate.
 inline constexpr double l3d_bpt_largest_coordinate = 1e12;
 
 /// Whether a number may be the weight of a control point. With smaller weights, products would lose
@@ -76,8 +76,8 @@ constexpr bool l3d_is_weight(double w) {
 /// Reads a .bpt text: the number of patches, then for each patch its two degrees and its points, u
 /// fastest.
 ///
-/// The word `rational` in the line of the two degrees says that each point has a fourth number, its
-/// weight. The coordinates are not multiplied by it.
+/// The word `rational` in the line of the two degrees says that each point has a fourth number, the
+/// point's weight. The coordinates are not multiplied by the weight.
 /// Numbers stand apart by white space of any kind and amount, whatever the locale. A # begins a
 /// comment, which ends with its line.
 /// Errors:  nothing, and `why` = "name:line: what is wrong". Numbers are wrong if they are missing,
@@ -85,11 +85,12 @@ constexpr bool l3d_is_weight(double w) {
 ///          1e-100 to 1e12. The count must be positive and no more than the text can hold. Nothing
 ///          may follow the last patch.
 /// Cost:    memory in proportion to the text, whatever the counts in it promise.
-/// Source:  R. Holmes' patch files; their two numbers per patch are degrees, as his examples show.
+/// Source:  R. Holmes' patch files. The two numbers of each patch are degrees, as his examples
+///          show.
 L3D_PUBLIC std::optional<std::vector<l3d_patch_points>>
 l3d_read_bpt(std::string_view text, std::string_view name, std::string& why);
 
-/// Returns the text of a .bpt file. Reading it gives the same patches, bit for bit.
+/// Returns the text of a .bpt file. Reading the text gives the same patches, bit for bit.
 /// Expects: patches that l3d_read_bpt would accept.
 L3D_PUBLIC std::string l3d_write_bpt(std::span<const l3d_patch_points> patches);
 
@@ -116,21 +117,21 @@ struct L3D_PUBLIC l3d_height_field {
     std::vector<double> heights; ///< the heights, along y; NaN where one is missing
     double spacing = 1;          ///< distance from one height to the next, along x and along z
 
-    /// The error message for an invalid field, which names the value at fault; "" if it is valid. A
-    /// valid field has at least 2 rows and 2 columns, and only whole rows. Heights are NaN or
-    /// within l3d_bpt_largest_coordinate, and so is the rectangle. The spacing is positive.
+    /// The error message for an invalid field, which names the value at fault; "" if the field is
+    /// valid. A valid field has at least 2 rows and 2 columns, and only whole rows. Heights are NaN
+    /// or within l3d_bpt_largest_coordinate, and so is the rectangle. The spacing is positive.
     std::string complaint() const;
 };
 
 /// Makes a smooth surface through all heights: a bicubic patch for each four neighbours, unless one
 /// is missing. The middle of the rectangle is at x = z = 0.
 ///
-/// Neighbours share their border's control points bit for bit, and have the same tangent planes
-/// there: the surface is C1. Its normals dS/du x dS/dv point upwards.
+/// Neighbouring patches share control points on their border, bit for bit, and have the same
+/// tangent planes there: the surface is C1. Its normals dS/du x dS/dv point upwards.
 /// Errors:  throws l3d_error(bad_input) with the text of complaint().
-/// Source:  Catmull and Rom, A class of local interpolating splines, 1974: the slope at a height is
-///          half of the difference between its neighbours. At a border or beside a missing height,
-///          the slope is the whole difference on the other side.
+/// Source:  Catmull and Rom, A class of local interpolating splines, 1974. The slope at a height is
+///          half of the difference between the heights before and after it. At a border or beside a
+///          missing height, the slope is the whole difference to the one neighbour.
 L3D_PUBLIC std::vector<l3d_patch_points> l3d_height_patches(const l3d_height_field& field);
 
 #endif

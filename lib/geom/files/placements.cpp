@@ -85,7 +85,8 @@ private:
         return result;
     }
 
-    /// The index of the copy of edge `of` that stands at a place. Shapes at one place share it.
+    /// The index of the copy of edge `of` that stands at a place. Shapes at one place share this
+    /// copy.
     std::uint32_t edge(std::uint32_t of, const matrix& place, std::size_t number) {
         const auto next = static_cast<std::uint32_t>(to_.edges.size());
         const auto [at, is_new] = edges_.try_emplace({number, of}, next);

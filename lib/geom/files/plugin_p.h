@@ -25,17 +25,17 @@ struct plugin_interface {
 
 /// Finds the plug-in libl3d_NAME.so, and returns its interface, the symbol l3d_NAME_plugin.
 ///
-/// Looks in each of plugin_folders(), in their order; the first file of the name is taken.
+/// Searches the plugin_folders() in their order, and takes the first file with this name.
 /// Lives:  the plug-in stays loaded until the process ends.
-/// Errors: null, and `why` = one line without the name of a model: the package that is missing,
-///         or the file with its fault. Another version or size of the struct is a fault.
+/// Errors: null, and `why` = one line that names the missing package, or the file with its fault.
+///         The line does not name a model. Another version or size of the struct is a fault.
 const plugin_interface* load_plugin(std::string_view name, std::uint32_t version, std::size_t size,
                                     std::string& why);
 
-/// The folders with plug-ins. First come those of the environment variable L3D_PLUGIN_PATH,
+/// The folders with plug-ins. First come the folders of the environment variable L3D_PLUGIN_PATH,
 /// separated by colons. Next come folders near the file with this code: lib/l3d beside a program's
 /// own folder, and l3d in the folder of a shared library. The last folder is the one into which
-/// plug-ins are installed. Relative folders are ignored: code from where the user happens to be
+/// plug-ins are installed. Relative folders are ignored, since code from the user's current folder
 /// must not run.
 std::vector<std::string> plugin_folders();
 

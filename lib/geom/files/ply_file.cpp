@@ -163,7 +163,7 @@ private:
     }
 
     /// Scales a component of a colour to the range from 0 to 1. Floats stay as they are. Whole
-    /// numbers are divided by the largest of their type, but those of four bytes by 255.
+    /// numbers are divided by the largest number of their type, but numbers of four bytes by 255.
     static double scaled(const property& p, double value) {
         if (!is_color(p.means) || !is_whole(p.type))
             return value;
@@ -212,7 +212,8 @@ private:
         return {};
     }
 
-    /// Gives the last face its places in the picture. Earlier corners without any get (0, 0).
+    /// Gives the last face its places in the picture. Corners of earlier faces without places get
+    /// (0, 0).
     void add_places() {
         mesh_.picture_places.resize(mesh_.corners.size() - face_.size());
         if (face_places_.size() == 2 * face_.size())
@@ -249,9 +250,9 @@ private:
         mesh_.face_colors.push_back(l3d_detail::color_of(text_, color));
     }
 
-    /// Adds the triangles of a strip: each corner makes one with the two before it. Every other
-    /// triangle has its first two corners swapped, so that all are counterclockwise from the same
-    /// side. Degenerate triangles, which join strips, are left out.
+    /// Adds the triangles of a strip: each corner makes a triangle with the two corners before it.
+    /// The first two corners of every second triangle are swapped, so that all triangles are
+    /// counterclockwise from the same side. Degenerate triangles, which join strips, are left out.
     void add_strip() {
         std::size_t run = 0; // where the current strip begins
         for (std::size_t i = 0; i < face_.size(); ++i) {
@@ -271,7 +272,7 @@ private:
 
     // ---- numbers
 
-    /// Reads the number of a property. Whole numbers are exact in a double; others may be infinite
+    /// Reads the number of a property. Whole numbers are exact in a double; floats may be infinite
     /// or NaN.
     bool number(const property& p, double& value, const char* what) {
         if (order_)
@@ -320,7 +321,8 @@ private:
 
     text_cursor& text_;
     l3d_polygon_mesh& mesh_;
-    /// The grey of faces without a colour, such as those of strips; the same as for .off files.
+    /// The grey of faces without a colour, such as those of strips. It is the same grey as for .off
+    /// files.
     static constexpr std::uint32_t uncolored = 0xaaaaaa;
     /// The index -1, which ends a strip.
     static constexpr std::uint32_t ends_strip = std::numeric_limits<std::uint32_t>::max();
@@ -329,7 +331,7 @@ private:
     std::optional<std::endian> order_; ///< a binary file's byte order
     std::int64_t vertices_ = 0;
     bool has_normals_ = false, has_colors_ = false, has_vertex_colors_ = false;
-    /// Whether corners and whether vertices have places in the picture.
+    /// Whether corners have places in the picture, and whether vertices have.
     bool has_places_ = false, has_vertex_places_ = false;
     l3d_detail::vertex_colors vertex_colors_;
     l3d_detail::odd_coordinates odd_;

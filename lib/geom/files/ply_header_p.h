@@ -24,7 +24,7 @@ inline bool is_whole(number_type type) {
     return type < number_type::float32;
 }
 
-/// The meaning of a property for the reader. Properties that mean nothing are read and dropped.
+/// The meaning of a property for the reader. Properties without a meaning are read and dropped.
 enum class meaning {
     nothing,
     x,
@@ -36,8 +36,8 @@ enum class meaning {
     red,
     green,
     blue,
-    place_u, ///< from the left of a picture
-    place_v, ///< from its bottom
+    place_u, ///< u, measured from the left side of the picture
+    place_v, ///< v, measured from the bottom of the picture
     corners, ///< list of a face's vertex indices
     places   ///< list of place_u and place_v of each corner
 };

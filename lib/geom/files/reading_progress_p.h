@@ -13,13 +13,13 @@
 
 namespace l3d_detail {
 
-/// Takes the share of the work that is done, from 0 to 1, a few times a second; the last call has
-/// 1. If it returns false, the reading stops. Only the readers of STEP and IGES, which take long,
-/// call it.
+/// A function that is told how far reading has come: the share of the work that is done, from 0 to
+/// 1. The function is called a few times a second, and at the end with 1. If it returns false, the
+/// reading stops. Only the readers of STEP and IGES, which take long, call it.
 using reading_progress = std::function<bool(double share)>;
 
 /// Reads as l3d_read_model_with does, and reports its progress.
-/// Errors: as l3d_read_model_with; also if the reading was stopped.
+/// Errors: as l3d_read_model_with. Stopped reading is an error, too.
 std::optional<l3d_model_file> read_model(const l3d_other_files& files, std::string_view text,
                                          std::string_view name, std::string& why,
                                          const reading_progress& progress);

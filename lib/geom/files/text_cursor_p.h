@@ -21,8 +21,8 @@ std::string quoted(std::string_view token);
 /// Appends the shortest form of `value` that is read as the same bits, then `after`.
 void append(std::string& text, double value, char after);
 
-/// The base of all readers of model files: tokens, numbers, limits, and errors that name their
-/// line.
+/// The base of all readers of model files: takes tokens and numbers from a text, keeps limits, and
+/// makes error messages that name the line.
 ///
 /// Every function that returns bool fails with the reason in why(): "name:line: what is wrong".
 /// Numbers do not depend on the locale. Tokens stand apart by white space of any kind.
@@ -46,11 +46,11 @@ public:
 
     /// Keeps a remark on a skipped statement, with the line of the current token.
     void note(const std::string& what);
-    /// Keeps a remark as note() does, unless one with the same text was kept before.
+    /// Keeps a remark as note() does, unless a remark with the same text was kept before.
     void note_once(const std::string& what);
     std::vector<std::string> take_notes();
 
-    /// Sets the place of values that messages name from now on, such as " of vertex 3 of 8".
+    /// Sets the owner that messages name with values from now on, such as " of vertex 3 of 8".
     /// Lives: `of_what` is kept, not copied.
     void set_place(const char* of_what, std::size_t index, std::size_t count) {
         of_what_ = of_what;
@@ -63,11 +63,11 @@ public:
     bool next();
     /// Takes the next token of this line; false, without error, where the line or the text ends.
     bool next_in_line();
-    /// Takes the rest of this line, its end included; the token is the text before its end. False,
-    /// without error, at the end of the text.
+    /// Takes the rest of this line and the line's end; the token is the text before this end.
+    /// Returns false, without error, at the end of the text.
     bool next_line();
 
-    /// Takes the rest of this line as a name, without the blanks around it. No character of it
+    /// Takes the rest of this line as a name, without the blanks around it. In a name, no character
     /// begins a comment or joins lines.
     std::string_view name_in_line();
 
@@ -81,7 +81,8 @@ public:
     std::size_t line() const { return static_cast<std::size_t>(line_); }
     std::string_view rest() const { return rest_; }
 
-    /// A place in the text, kept with a number that is an error only if something depends on it.
+    /// A place in the text. It is kept with a number that is an error only if something depends on
+    /// the number.
     struct reading_place {
         std::string_view rest, token;
         std::ptrdiff_t line;
@@ -89,7 +90,8 @@ public:
         std::size_t index, count;
     };
     reading_place here() const { return {rest_, token_, line_, of_what_, index_, count_}; }
-    /// Goes back to a place, so that a message can name its line. Nothing can be taken after that.
+    /// Goes back to a place, so that a message can name its line. Afterwards, nothing can be taken
+    /// from the text.
     void go_back(const reading_place& to);
 
     /// From here on, a newline after a backslash is white space, but still counts as a line.
@@ -104,8 +106,8 @@ public:
     bool coordinate(double& value);
     bool weight(double& value);
 
-    /// Checks a number that was not taken by number(). `digits` is its text, if that is not the
-    /// current token.
+    /// Checks a number that was not taken by number(). `digits` is the number's text, if this is
+    /// not the current token.
     bool is_finite(double value, const char* what, std::string_view digits = {});
     bool is_coordinate(double value, std::string_view digits = {});
     bool is_weight(double value, const std::string& what);
@@ -117,10 +119,10 @@ public:
     bool integer_in_text(std::string_view digits, std::int64_t& value, const char* what);
 
     /// Whether the rest of the text can hold `count` things of at least `shortest` bytes each. Call
-    /// it before taking memory for them.
+    /// it before taking memory for these things.
     bool plausible(std::int64_t count, const char* things, std::size_t shortest);
 
-    /// Takes a binary number of type T in this byte order.
+    /// Takes a number of type T from binary data in the byte order `order`.
     template <class T> bool binary(T& value, std::endian order, const char* what) {
         begin_line();
         is_binary_ = true;
@@ -135,8 +137,8 @@ public:
         return true;
     }
 
-    /// Takes a number as Geomview writes it: text, or a float in a binary file. It may be infinite
-    /// or NaN.
+    /// Takes a number as Geomview writes it: text, or a float in a binary file. The number may be
+    /// infinite or NaN.
     bool any_number_or_float(double& value, bool is_float, const char* what) {
         if (!is_float)
             return any_number(value, what);
@@ -150,7 +152,7 @@ public:
 private:
     bool ends(const char* what);
     std::string place() const;
-    /// The value for a message: the token, or the decoded number in a binary file.
+    /// A number's text for a message: the token, or the decoded number in a binary file.
     std::string shown(double value, std::string_view digits) const;
     template <class Number>
     bool parsed(std::string_view digits, Number& value, const char* what, const char* kind);
@@ -172,7 +174,7 @@ private:
     std::ptrdiff_t line_ = 1;
     char comment_;
     char line_end_ = '\n';
-    bool ended_line_ = false; ///< the line's end is taken, the next line has not begun
+    bool ended_line_ = false; ///< whether the line's end is taken and the next line has not begun
     bool joins_ = false, is_binary_ = false;
 };
 

@@ -12,14 +12,14 @@ using l3d_detail::counted;
 using l3d_detail::quoted;
 using l3d_detail::text_cursor;
 
-/// The colours of numbers below 256, by their lowest four bits; higher bits are kinds of surface.
+/// The colours of numbers below 256, by the lowest four bits. The higher bits are kinds of surface.
 /// Source: E. Wright's table in the mailing list lightwave-l, September 1994.
 constexpr std::uint32_t palette[16] = {0x000000, 0x0050a0, 0x008c00, 0x008c8c, 0xa00000, 0x8c00a0,
                                        0xa07800, 0x8c8c8c, 0x000000, 0x0078f0, 0x00f000, 0x00f0f0,
                                        0xf00000, 0xc800f0, 0xf0c800, 0xf0f0f0};
 
-/// Reads a colour. Numbers below 256 name a colour of the palette; greater ones, and all that are
-/// written in hexadecimal, are 0xBBGGRR.
+/// Reads a colour. Decimal numbers below 256 name a colour of the palette. Greater numbers, and all
+/// hexadecimal numbers, are 0xBBGGRR.
 bool read_color(text_cursor& text, std::uint32_t& color) {
     if (!text.next())
         return text.fail("the text ends where the colour of a face should be");

@@ -39,7 +39,7 @@ template <class V> struct net {
                 result.at(r, k) = (at(r + 1, k) - at(r, k)) * double(n);
         return result;
     }
-    /// The same polynomial over both halves of u or of v. Source: de Casteljau.
+    /// The polynomial over the lower and over the upper half of u, or of v. Source: de Casteljau.
     std::array<net, 2> halves(bool along_u) const {
         std::array<net, 2> result{*this, *this};
         const int degree = along_u ? m : n, lines = along_u ? n : m;
@@ -55,8 +55,8 @@ template <class V> struct net {
         }
         return result;
     }
-    /// The quotient by v of a polynomial that is 0 at v = 0. It uses v B^(n-1)_j = (j + 1) / n
-    /// B^n_(j+1).
+    /// The quotient by v of a polynomial that is 0 at v = 0. The division uses v B^(n-1)_j = (j +
+    /// 1) / n B^n_(j+1).
     net over_v() const {
         net result(m, n - 1);
         for (int r = 0; r < n; ++r)
@@ -67,7 +67,7 @@ template <class V> struct net {
 };
 
 /// The largest degree of a product. A piece's normals have at most three times the piece's degree.
-/// They are multiplied by the quintic that approximates them.
+/// These normals are multiplied by the quintic that approximates them.
 inline constexpr int most_product = 3 * l3d_bpt_largest_degree + l3d_normal_polynomial::order;
 /// Binomial coefficients n over k, which are exact in a double.
 inline constexpr auto binomials = [] {
@@ -92,7 +92,7 @@ public:
     /// The polynomial 0, of degree of_m along u and of_n along v.
     scaled_net(int of_m, int of_n)
         : m(of_m), n(of_n), c_(static_cast<std::size_t>((of_n + 1) * stride() + taps - 1)) {}
-    /// The polynomial of one coordinate of a net: of(coefficient) selects the coordinate.
+    /// One coordinate of a net's polynomial: of(coefficient) selects the coordinate.
     template <class V, class Coordinate>
     scaled_net(const net<V>& whole, const Coordinate& of) : scaled_net(whole.m, whole.n) {
         for (int r = 0; r <= n; ++r)
@@ -160,7 +160,7 @@ inline scaled_vectors zeros(int m, int n) {
     return {scaled_net(m, n), scaled_net(m, n), scaled_net(m, n)};
 }
 
-/// The polynomial 1, raised to these degrees.
+/// The constant polynomial 1, written with these degrees.
 inline scaled_net one(int m, int n) {
     net<double> result(m, n);
     std::ranges::fill(result.c, 1.0);

@@ -48,9 +48,9 @@ template <class V> double bound_of(const net<V>& of) {
     return most;
 }
 
-/// A closer upper bound than bound_of gives: the polynomial is halved `halvings` times, along u and
-/// v in turns, and the coefficients of its parts are taken. Errors of interpolation change their
-/// sign, so the coefficients of the whole are some four times too large.
+/// A closer upper bound than that of bound_of. The polynomial is halved `halvings` times, along u
+/// and v in turns, and the coefficients of the parts are taken. Errors of interpolation change
+/// their sign, so the coefficients of the whole polynomial are some four times too large.
 double bound_of_parts(const net<vector>& of, int halvings) {
     if (halvings == 0)
         return bound_of(of);
@@ -59,12 +59,12 @@ double bound_of_parts(const net<vector>& of, int halvings) {
 }
 
 /// The inner places, along u and along v, where a patch meets its piece: zeros of Chebyshev's T4,
-/// stretched until the outer ones are 0 and 1. No cubic with the same ends is closer to a quartic.
-/// Its error is 0.17 of that of Hermite's cubic.
+/// stretched until the outer zeros are 0 and 1. No cubic with the same ends is closer to a quartic.
+/// The error of this cubic is 0.17 of that of Hermite's cubic.
 constexpr double nearer_node = 1 - std::numbers::sqrt2 / 2, farther_node = std::numbers::sqrt2 / 2;
 
-/// The value at a node of a polynomial of this degree; point(i) is its control point i. It is the
-/// same bit for bit if control points and node are counted from the other end.
+/// The value at a node of a polynomial of this degree; point(i) is its control point i. The value
+/// is the same bit for bit if control points and node are counted from the other end.
 /// Source: de Casteljau.
 template <class Point> point at_node(int degree, std::size_t node, const Point& control) {
     if (node == 0 || node == 3)
@@ -80,8 +80,8 @@ template <class Point> point at_node(int degree, std::size_t node, const Point& 
     return p[0];
 }
 
-/// The second control point of the cubic through values at the nodes. Counted from the other end,
-/// it is the third one. Expects: the values in the order of nodes.
+/// The second control point of the cubic that has these values at the nodes. If the values come in
+/// reverse order, the result is the third control point. Expects: the values in the order of nodes.
 vector second_point(const vector& at_0, const vector& at_a, const vector& at_b,
                     const vector& at_1) {
     constexpr double a = nearer_node, b = farther_node;
@@ -127,8 +127,8 @@ bool has_one_weight(const l3d_rational_piece& piece) {
                                [&](const point& p) { return p[3] == piece.points[0][3]; });
 }
 
-/// A rational piece as P / W: P is relative to `centre`. Two members bound the rounding: `noise`
-/// that of P's length, `weight_noise` that of W.
+/// A rational piece as P / W, where P is relative to `centre`. `noise` bounds the rounding of P's
+/// length, and `weight_noise` that of W.
 struct centred_piece {
     net<vector> p;
     net<double> w;
@@ -284,7 +284,7 @@ template <std::size_t Order> struct interpolation {
     }
 };
 
-/// The places where normals are exact: the zeros of T6, stretched as the zeros of T4 above.
+/// The places where normals are exact: the zeros of T6, stretched as those of T4 for `nearer_node`.
 constexpr std::size_t quintic_order = l3d_normal_polynomial::order;
 constexpr double outer_node = 1 - std::numbers::sqrt3 / 2;
 constexpr double inner_node = (std::numbers::sqrt3 - 1) / 2;
@@ -335,8 +335,9 @@ l3d_rational_piece reduced(l3d_rational_piece piece) {
     return piece;
 }
 
-/// The polynomial W^3 S_u x S_v, which has the direction of the piece's normals where these are not
-/// 0. If the edge v = 0 is a point, the polynomial has a factor v, by which it is divided.
+/// The polynomial W^3 S_u x S_v, which has the direction of the piece's normals wherever the
+/// normals are not 0. If the edge v = 0 is a point, the polynomial has a factor v, which is divided
+/// out.
 struct exact_normals {
     net<vector> of{0, 0};
     double noise = 0; ///< bound of the coefficients' rounding
@@ -441,7 +442,7 @@ l3d_bicubic_approximation::l3d_bicubic_approximation(const l3d_rational_piece& p
 }
 
 /// Compares the quintic N with the exact polynomial T of the normals. The tangent of the angle
-/// between them is |N x T| / N.T.
+/// between N and T is |N x T| / N.T.
 l3d_normal_approximation::l3d_normal_approximation(const l3d_rational_piece& piece)
     : error(std::numeric_limits<double>::infinity()) {
     const turned of(piece);

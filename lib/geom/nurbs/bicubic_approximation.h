@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-/// A rational Bezier patch of any degree, or a part of one, in homogeneous coordinates. It is
-/// halved until a bicubic patch approximates it well enough.
+/// A rational Bezier patch of any degree, or a part of one, in homogeneous coordinates. A piece is
+/// halved until bicubic patches approximate its parts well enough.
 ///
 /// Shape: (degree_u + 1) * (degree_v + 1) points (x w, y w, z w, w), u fastest.
 struct l3d_rational_piece {
@@ -21,7 +21,8 @@ struct l3d_rational_piece {
 
     int degree_u = 1, degree_v = 1;
     std::vector<point> points;
-    /// Bounds of rounding in any point: `noise` in a coordinate, `weight_noise` in the weight.
+    /// Bounds of the rounding in any point: `noise` for a coordinate, `weight_noise` for the
+    /// weight.
     double noise = 0, weight_noise = 0;
 
     /// Expects: degrees from 1 to 15, as many points as the degrees ask for, weights that
@@ -38,11 +39,12 @@ struct l3d_rational_piece {
     std::pair<l3d_rational_piece, l3d_rational_piece> halves(bool along_u) const;
 };
 
-/// A bicubic patch that stands for a rational piece, with a bound of its error (docs/NUMERICS.md,
-/// section 25). It meets the piece at 4 by 4 places, the corners among them.
+/// A bicubic patch that stands for a rational piece, with a bound of the patch's error
+/// (docs/NUMERICS.md, section 25). The patch meets the piece at 4 by 4 places, the corners among
+/// them.
 ///
-/// A boundary of the patch depends only on the same boundary of the piece. It has the same bits in
-/// whichever direction the piece runs along it.
+/// A boundary of the patch depends only on the same boundary of the piece. The boundary has the
+/// same bits in whichever direction the piece runs along it.
 struct l3d_bicubic_approximation {
     l3d_bezier_patch<double, 3> patch{};
     /// Bound of the distance between points of the patch and of the piece at the same parameters.
@@ -52,8 +54,8 @@ struct l3d_bicubic_approximation {
     explicit l3d_bicubic_approximation(const l3d_rational_piece& piece);
 };
 
-/// The normals of a rational piece as a polynomial of degree 5 by 5, with a bound of its error. The
-/// polynomial is exact at 6 by 6 places, the corners among them.
+/// The normals of a rational piece as a polynomial of degree 5 by 5, with a bound of the
+/// polynomial's error. The polynomial is exact at 6 by 6 places, the corners among them.
 struct l3d_normal_approximation {
     l3d_normal_net net;
     /// Bound of the distance between unit normals at the same parameters; infinite if no bound was

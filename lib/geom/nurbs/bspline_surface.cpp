@@ -19,15 +19,15 @@ struct control_point {
 };
 using curve = std::vector<control_point>;
 
-/// A line of control points with a stride. The first `absent` points were never computed: no wanted
-/// segment depends on them.
+/// A line of control points with a stride. The first `absent` points were not computed, as no
+/// wanted segment depends on them.
 struct control_line {
     const control_point* first;
     std::size_t stride, absent;
     const control_point& operator[](std::size_t i) const { return first[(i - absent) * stride]; }
 };
 
-/// Whether the knot span from knots[span] on overlaps the wanted range.
+/// Whether the knot span that begins at knots[span] overlaps the wanted range.
 bool is_wanted(const l3d_bspline_direction& d, std::size_t span) {
     return std::max(d.knots[span], d.from) < std::min(d.knots[span + 1], d.to);
 }
@@ -44,7 +44,7 @@ std::pair<std::size_t, std::size_t> needed_points(const l3d_bspline_direction& d
     return {first - n, last + 1};
 }
 
-/// The weighted mean of two control points: exactly a or b if the other's weight is 0. It is
+/// The weighted mean of two control points: exactly a or b if the other's weight is 0. The mean is
 /// clamped between a and b, so that coordinates stay below their limit.
 control_point between(const control_point& a, const control_point& b, double weight_a,
                       double weight_b) {
@@ -65,8 +65,8 @@ control_point between(const control_point& a, const control_point& b, double wei
     return result;
 }
 
-/// Bezier point `index` of the segment over [a, b], which lies in the knot span from knots[span]
-/// on.
+/// Bezier point `index` of the segment over [a, b], which lies in the knot span that begins at
+/// knots[span].
 control_point blossom(const l3d_bspline_direction& d, const control_line& points, std::size_t span,
                       double a, double b, std::size_t index) {
     const auto n = static_cast<std::size_t>(d.degree);

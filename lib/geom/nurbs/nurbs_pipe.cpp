@@ -28,7 +28,8 @@ vector any_across(const vector& tangent) {
     return l3d_normalized(l3d_cross(tangent, axis));
 }
 
-/// The next section, by two reflections that turn it about the tangent as little as possible.
+/// The next section, turned about the tangent as little as possible. It is found by two
+/// reflections.
 /// Source: Wang, Juettler, Zheng, Liu, Computation of rotation minimizing frames, ACM TOG 27, 2008.
 section next_section(const section& from, const vector& centre, const vector& tangent) {
     const auto reflected = [](const vector& v, const vector& by) {
@@ -67,9 +68,9 @@ std::vector<double> places_along(const l3d_bspline_direction& along, int cuts) {
     return result;
 }
 
-/// The surface through a circle around each section, with one cubic span between neighbours. In a
-/// frame that does not turn about the tangent T, a normal n has derivative -(n.T') T. T' is the
-/// part of c'' / |c'| across T.
+/// The surface through a circle around each section, with one cubic span between neighbours. Let
+/// the frame not turn about the tangent T. Then a normal n has the derivative -(n.T') T, where T'
+/// is the part of c'' / |c'| across T.
 l3d_nurbs_surface skin_of(const std::vector<section>& sections, const std::vector<double>& t,
                           const l3d_nurbs_curve& curve, double radius) {
     const l3d_nurbs_curve circle = l3d_nurbs_curve::circle(radius);

@@ -15,8 +15,8 @@ namespace l3d_detail {
 using weighted = l3d_vector<double, 4>;
 using spline_line = std::vector<weighted>;
 
-/// The index i of the knot span, of positive length, that holds t: knots[i] <= t < knots[i + 1].
-/// The last span includes the end of the range.
+/// The index i of the knot span that holds t: knots[i] <= t < knots[i + 1]. The last span of
+/// positive length includes the end of the range.
 /// Expects: knots[degree] <= t <= knots[points()].
 inline std::size_t span_of(const l3d_bspline_direction& d, double t) {
     auto span = static_cast<std::size_t>(d.degree);
@@ -26,7 +26,7 @@ inline std::size_t span_of(const l3d_bspline_direction& d, double t) {
     return span;
 }
 
-/// The derivative of a spline at t, of any order. `at` gives its control points by their index.
+/// The derivative of a spline at t, of any order. at(i) gives control point i of the spline.
 /// Source: de Boor, A Practical Guide to Splines, chapter X: the derivative's control points are m
 ///         (p_j - p_(j-1)) / (t_(j+m) - t_j), and its degree is m - 1.
 template <class At>
@@ -55,7 +55,7 @@ weighted spline_derivative(const l3d_bspline_direction& d, double t, int order, 
 }
 
 /// The control points of a spline after the knot t is inserted once.
-/// Expects: knots[degree] <= t < knots[points()], where t is listed less than `degree` times.
+/// Expects: knots[degree] <= t < knots[points()], and t is listed less than `degree` times.
 /// Source:  Boehm, Inserting new knots into B-spline curves, CAD 12, 1980.
 template <class At> spline_line with_knot(const l3d_bspline_direction& d, double t, const At& at) {
     const auto n = static_cast<std::size_t>(d.degree);
@@ -84,8 +84,8 @@ inline l3d_bspline_direction with_knot(l3d_bspline_direction d, double t) {
 /// The reason why the knot t cannot be inserted; "" if it can.
 std::string knot_complaint(const l3d_bspline_direction& d, double t);
 
-/// The reason why `points` and `weights` are not `wanted` control points and their weights; "" if
-/// they are. `weights` may be empty.
+/// The error message for invalid control points or weights of a spline; "" if all are valid. There
+/// must be `wanted` points, and as many weights or none.
 std::string points_complaint(const std::vector<l3d_vector<double, 3>>& points,
                              const std::vector<double>& weights, std::size_t wanted);
 

@@ -12,11 +12,12 @@
 #include <span>
 #include <vector>
 
-/// Sorts the quads of a grid by a trimmed region. A quad lies inside, lies outside, or is cut: the
-/// border passes through it, and triangles fill its part inside. The result depends on the region
-/// and the grid's lines alone, so frames that dice a patch alike can share it.
+/// Sorts the quads of a grid by a trimmed region. A quad lies inside, lies outside, or is cut. The
+/// border passes through a cut quad, and triangles fill the part of the quad that is inside. The
+/// result depends on the region and the grid's lines alone, so frames that dice a patch alike can
+/// share it.
 ///
-/// Shape: parts are in the order in which halving meets them. Their corners, triangles and sides
+/// Shape: parts are in the order in which halving meets them. Corners, triangles and sides of parts
 ///        are ranges of this object's arrays.
 /// Lives: a user keeps one object for many grids, to reuse its memory.
 class l3d_grid_trims {
@@ -29,14 +30,13 @@ public:
 
         bool is_empty() const { return begin == end; }
     };
-    /// A corner in a cut quad: its place, and its coordinates in the quad along u and v, from 0 to
-    /// 1.
+    /// A corner in a cut quad: its place, and its coordinates from 0 to 1 along the quad's u and v.
     struct corner {
         l3d_trim_place at{};
         std::array<double, 2> part{};
     };
-    /// A side between two corners of a cut quad, and the triangle beside it. `from` and `to` are
-    /// indices into the quad's corners.
+    /// A side between two corners of a cut quad, and the triangle beside the side. `from` and `to`
+    /// are indices into the quad's corners.
     struct corner_side {
         std::uint32_t from, to, triangle;
         l3d_trim_use use;
@@ -65,7 +65,7 @@ public:
     struct workshop {
         l3d_trim_triangles quad;            ///< the quad that is cut
         std::vector<l3d_trim_place> places; ///< the corners of the quad's triangles, in order
-        /// The parts of the quad's sides within the grid.
+        /// The parts of the quad's sides at which the quad meets other quads of the grid.
         std::vector<std::array<l3d_trim_place, 2>> inner;
     };
     /// Sorts and cuts the quads of a grid whose lines have these values of u and v.
@@ -85,7 +85,7 @@ public:
 
     /// The quads that lie outside the region or are cut, row by row. Shape: row, column.
     std::span<const std::array<std::uint32_t, 2>> cut() const { return cut_; }
-    /// The stretches of the grid's sides that the region reaches. Shape: as
+    /// The stretches of the grid's sides that the region reaches, side after side in the order of
     /// l3d_trim_triangles::sides().
     const std::array<std::vector<stretch>, 4>& kept() const { return kept_; }
 
@@ -104,7 +104,8 @@ private:
     std::vector<corner_side> sides_;
     std::vector<grid_side> grid_sides_;
     std::vector<std::array<std::uint32_t, 2>> cut_;
-    std::array<std::vector<stretch>, 4> kept_; ///< sides in the order of l3d_trim_triangles
+    /// Stretches of the sides, in the order of l3d_trim_triangles.
+    std::array<std::vector<stretch>, 4> kept_;
 };
 
 #endif

@@ -47,8 +47,9 @@ l3d_trim_loop shifted(l3d_trim_loop loop, const l3d_trim_place& by) {
     return loop;
 }
 
-/// Moves the curves of a loop by whole turns around a closed surface, so that each begins where the
-/// one before ends. Returns the loop, and how often it goes around along u and along v.
+/// Moves the curves of a loop by whole turns around a closed surface, so that each curve begins
+/// where the one before ends. Returns the loop, and how often the loop goes around along u and
+/// along v.
 std::pair<l3d_trim_loop, std::array<double, 2>>
 unroll(const l3d_trim_loop& loop, const l3d_trim_box& box, const std::array<bool, 2>& is_closed) {
     std::pair<l3d_trim_loop, std::array<double, 2>> result;
@@ -130,8 +131,8 @@ std::vector<std::array<double, 2>> l3d_spans_of(const l3d_bspline_direction& d) 
     return result;
 }
 
-/// Finds the loops for a piece. If no hull of a loop's curves meets the box, the chords of these
-/// curves wind around the box as often as the curves themselves.
+/// Finds the loops for a piece. If none of the hulls of a loop's curves meets the box, the chords
+/// of these curves wind around the box as often as the curves themselves.
 std::vector<l3d_trim_loop> l3d_trims_in(std::span<const l3d_trim_loop> loops,
                                         const l3d_trim_box& box) {
     std::vector<l3d_trim_loop> result;

@@ -51,7 +51,7 @@ void l3d_trapezoids::begin(const l3d_trim_region& region) {
 }
 
 /// Moves the line to the next corner or crossing, and ends and begins trapezoids there. Returns
-/// false after the last one.
+/// false after the last corner.
 bool l3d_trapezoids::next_line() {
     if (is_begun_ && next_v_ == std::numeric_limits<double>::infinity())
         return false;
@@ -75,7 +75,7 @@ bool l3d_trapezoids::next_line() {
 }
 
 /// Sorts the sides that cross the line from left to right, by their places in the middle between v_
-/// and `next`. If two sides cross before `next`, the lowest crossing takes its place. Returns the v
+/// and `next`. If two sides cross before `next`, the lowest crossing replaces `next`. Returns the v
 /// up to which the order holds.
 double l3d_trapezoids::order_until(double next) {
     // Sides that are nearer than this count as met.

@@ -11,9 +11,9 @@
 
 /// A trapezoid of a region, between two lines of equal v.
 ///
-/// Shape: `low` and `high` are the values of u of the points on its lower and its upper side, in
-///        rising order. Each has at least one. `left` and `right` name the edges that these sides
-///        follow, upwards.
+/// Shape: `low` and `high` are the values of u of the points on the lower and the upper side, in
+///        rising order. Each side has at least one point. `left` and `right` name the edges that
+///        the left and the right side follow, upwards.
 struct l3d_trapezoid {
     double low_v = 0, high_v = 0;
     std::span<const double> low, high;
@@ -22,9 +22,9 @@ struct l3d_trapezoid {
     std::size_t left_side = 0, right_side = 0;
 };
 
-/// Cuts a region into trapezoids that meet without T-junctions. If a corner of one trapezoid lies
-/// on the low or high side of another, it is also a point of that side. On their left and right
-/// sides, neighbours have corners of their own.
+/// Cuts a region into trapezoids that meet without T-junctions on their low and high sides. If a
+/// corner of one trapezoid lies on such a side of another, it is also a point of that side. On the
+/// left and right sides, neighbouring trapezoids have corners of their own.
 ///
 /// Polygons may cross themselves and each other.
 /// Cost: time in proportion to the number of corners, times the number of sides that a line of
@@ -44,16 +44,17 @@ public:
     }
 
 private:
-    /// A side of a polygon, directed upwards. It is also the left side of at most one open
+    /// A side of a polygon, directed upwards. This side may also be the left side of one open
     /// trapezoid.
     struct side {
         l3d_trim_place low, high;
         l3d_trim_use use{};
-        /// The right side of the trapezoid of which this is the left side.
+        /// The right side of the trapezoid whose left side this is.
         std::size_t right = none;
         std::size_t next_right = none;
         double low_v = 0;
-        std::size_t first_low = 0, low_count = 0; ///< the low points of that trapezoid, in pool_
+        /// The range of this trapezoid's low points in pool_.
+        std::size_t first_low = 0, low_count = 0;
 
         double at(double v) const;
         l3d_trim_use use_between(double from_v, double to_v) const;

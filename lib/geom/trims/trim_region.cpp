@@ -13,8 +13,8 @@ namespace {
 
 using curve = std::vector<std::array<double, 3>>;
 
-/// The point of a polygon's side from a to b where the coordinate `along` is `at`. It is the same,
-/// bit for bit, for the side from b to a.
+/// The point of a polygon's side from a to b where the coordinate `along` is `at`. The point is the
+/// same, bit for bit, for the side from b to a.
 l3d_trim_place crossing(l3d_trim_place a, l3d_trim_place b, std::size_t along, double at) {
     if (b < a)
         std::swap(a, b);

@@ -32,9 +32,9 @@ void l3d_trim_triangles::cut(const l3d_trim_region& region, const l3d_trim_box& 
     find_followed();
 }
 
-/// Stacks layers that share a whole side of equal v. Together such layers are one polygon, which
-/// every line of equal v meets once. If a side continues from one layer to the next, it has no
-/// corner between them.
+/// Stacks layers that share a whole side of equal v. Stacked layers are one polygon, which every
+/// line of equal v meets once. If a side continues from one layer to the next, it has no corner
+/// between the two layers.
 void l3d_trim_triangles::stack_layers() {
     const auto low_key = [this](std::size_t i) {
         const auto& [left, right] = layers_[i].low;
@@ -206,8 +206,8 @@ void l3d_trim_triangles::take(const l3d_trapezoid& one) {
     take_slanted(one.low.back(), one.high.back(), true);
 }
 
-/// Joins the stretches of each side, and fills possible gaps by triangles without area. A neighbour
-/// may have no corner where two stretches meet.
+/// Joins the stretches of each side, and fills possible gaps by triangles without area. Gaps can
+/// arise because a neighbour may have no corner where two stretches meet.
 void l3d_trim_triangles::close_sides() {
     for (std::size_t k = 0; k < sides_.size(); ++k) {
         std::vector<stretch>& all = sides_[k];
@@ -230,7 +230,7 @@ void l3d_trim_triangles::close_sides() {
 }
 
 /// Finds the edge that a side of equal v follows. The side is a part of a polygon's side, and
-/// follows its edge.
+/// follows the edge of that side.
 l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) const {
     for (const l3d_trim_polygon& polygon : region_->polygons)
         for (std::size_t i = 0; i < polygon.size(); ++i) {
@@ -246,8 +246,8 @@ l3d_trim_use l3d_trim_triangles::level_use(double v, double from, double to) con
     return {};
 }
 
-/// Finds the border among sides of equal v. Such a side belongs to two trapezoids, unless it is on
-/// the border.
+/// Finds the border among sides of equal v. A side that is not on the border belongs to two
+/// trapezoids.
 void l3d_trim_triangles::find_level_border() {
     const auto key = [](const level_side& s) { return std::tuple(s.v, s.from, s.to); };
     std::ranges::sort(level_sides_, {}, key);
@@ -266,8 +266,8 @@ void l3d_trim_triangles::find_level_border() {
 }
 
 /// Finds the parts of the border that follow edges. On a side of the box, a stretch may follow
-/// several edges. It then has corners in between, and triangles without area join these to the
-/// stretch.
+/// several edges. The stretch then has corners between its ends, and triangles without area join
+/// these corners to the stretch.
 void l3d_trim_triangles::find_followed() {
     for (const border_side& side : border_)
         if (side.use.edge != l3d_no_edge)

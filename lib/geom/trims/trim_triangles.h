@@ -22,16 +22,17 @@ public:
     void cut(const l3d_trim_region& region, const l3d_trim_box& box);
 
     /// The triangles, which meet without T-junctions. They turn counterclockwise if u runs to the
-    /// right and v upwards. On the box's sides there may be corners that neighbours lack. There,
-    /// rounding may open a gap to the straight side; triangles without area fill it.
+    /// right and v upwards. On a side of the box, there may be corners that the neighbour beyond
+    /// this side lacks. At these corners, rounding may open a gap to the straight side. Triangles
+    /// without area fill such gaps.
     std::span<const std::array<l3d_trim_place, 3>> triangles() const { return triangles_; }
 
-    /// The parts of the box's sides that the region reaches. Shape: v low, v high, u low, u high;
-    /// each in order.
+    /// The parts of the box's sides that the region reaches. Shape: the sides are in the order low
+    /// v, high v, low u, high u; the parts of each are in rising order.
     const std::array<std::vector<stretch>, 4>& sides() const { return sides_; }
 
-    /// A side of a triangle on the region's border. The triangle is on its left, if u runs to the
-    /// right and v upwards.
+    /// A side of a triangle on the region's border. If u runs to the right and v upwards, the
+    /// triangle is on the left of the side.
     struct border_side {
         l3d_trim_place from, to;
         std::size_t triangle;
@@ -53,14 +54,16 @@ private:
 
     static constexpr std::size_t none = static_cast<std::size_t>(-1);
 
-    /// A trapezoid with two corners on its low side and two on its high side; either two may
-    /// coincide.
+    /// A trapezoid with two corners on its low side and two on its high side. The two corners of a
+    /// side may coincide.
     struct layer {
         std::array<l3d_trim_place, 2> low, high; ///< the left and the right corner
         std::array<l3d_trim_use, 2> use; ///< edges that the left and the right side follow, upwards
-        std::array<std::size_t, 2> side; ///< as l3d_trapezoid::left_side and right_side
-        std::size_t next = none;         ///< the layer above that shares its whole upper side
-        bool goes_on = false;            ///< whether this layer is the `next` of the one below
+        /// The polygons' sides on the left and on the right, as in l3d_trapezoid.
+        std::array<std::size_t, 2> side;
+        /// The layer above that shares the whole upper side of this one.
+        std::size_t next = none;
+        bool goes_on = false; ///< whether this layer is `next` of the layer below
 
         bool is_wide_below() const { return low[0] != low[1]; }
         bool is_wide_above() const { return high[0] != high[1]; }
@@ -88,7 +91,7 @@ private:
     void find_followed();
     void find_level_border();
 
-    const l3d_trim_region* region_ = nullptr; ///< valid during cut()
+    const l3d_trim_region* region_ = nullptr; ///< the region that is cut; valid during cut()
     l3d_trim_box box_;
     l3d_trapezoids trapezoids_;
     std::vector<std::array<l3d_trim_place, 3>> triangles_;
@@ -109,7 +112,8 @@ struct l3d_trim_block {
 };
 
 /// Visits the border of a block that a region fills, where the border follows edges. Calls
-/// visit(use, from, to) for each side of a quad on it: the edge, and the side's two ends.
+/// visit(use, from, to) for each side of a quad on the border: `use` is the edge, `from` and `to`
+/// are the side's ends.
 template <class Visit>
 void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const double> u,
                             std::span<const double> v, const l3d_trim_block& of,
@@ -137,8 +141,8 @@ void l3d_for_followed_sides(const l3d_trim_region& region, std::span<const doubl
 }
 
 /// Halves a region along a grid's lines until each part is simple. Calls visit(block, nullptr) for
-/// quads outside, and visit(block, region) for a block of quads inside or a single quad that the
-/// border crosses. For quads inside, the region is the whole block.
+/// a block of quads outside the region. Calls visit(block, region) for a block of quads inside, or
+/// for a single quad that the border crosses. For a block inside, `region` is the whole block.
 /// Expects: the region lies in the block.
 template <class Visit>
 void l3d_for_trimmed_blocks(const l3d_trim_region& region, std::span<const double> u,

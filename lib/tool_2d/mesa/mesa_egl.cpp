@@ -82,8 +82,8 @@ private:
     bool ours_;
 };
 
-/// A display of EGL. It is not terminated, as all users of EGL in this process share it, and theirs
-/// would end with ours.
+/// A display of EGL. All users of EGL in this process share the display. So the display is not
+/// terminated, since their use would end with ours.
 class egl_platform final : public mesa_platform {
 public:
     egl_platform(const egl_calls& calls, egl::display display, egl::context context)

@@ -32,14 +32,14 @@
 
 namespace l3d_detail {
 
-/// gl.Clear(...) is glClear(...) of the library that was found.
+/// The GL calls of the library that was found: gl.Clear(...) is glClear(...) of this library.
 struct mesa_gl {
 #define L3D_MESA_GL_MEMBER(name) decltype(&::gl##name) name = nullptr;
     L3D_MESA_GL_CALLS(L3D_MESA_GL_MEMBER)
 #undef L3D_MESA_GL_MEMBER
 
     /// Fills the table: find(name) gives a pointer to each call, or null.
-    /// Errors: returns the name of a call that is missing; null if none is.
+    /// Errors: returns the name of a call that is missing; null if no call is missing.
     template <class Find> const char* load(const Find& find) {
         const char* missing = nullptr;
 #define L3D_MESA_GL_FIND(name)                                                                     \

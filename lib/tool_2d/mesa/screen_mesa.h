@@ -16,26 +16,26 @@
 /// software GL.
 class l3d_screen_factory_mesa final : public l3d_screen_factory {
 public:
-    /// Asks for the GL of this library: auto, egl or osmesa. If it is empty, L3D_MESA names the
+    /// Asks for the GL of `library`: auto, egl or osmesa. If `library` is empty, L3D_MESA names the
     /// library.
     explicit l3d_screen_factory_mesa(std::string library = {}) : library_(std::move(library)) {}
 
 private:
-    /// Opens GL for a try, and asks for windows.
+    /// Opens GL for a try, and asks whether windows can be shown.
     /// Errors:  not_here, with one line of all reasons and of the packages to install;
     ///          display_lost.
     /// Cost:    opens and closes a GL context, and asks as l3d_screen_factory_xshm does.
     l3d_service do_service() const override;
 
-    /// Makes a window or a screen in memory. It does not look for GL, since do_service() did. Each
-    /// rasterizer opens its own GL context, and throws if it cannot.
+    /// Makes a window or a screen in memory. The function does not look for GL, since do_service()
+    /// did. Each rasterizer opens its own GL context, and throws if none can be opened.
     /// Errors:  null: no memory, display lost.
     std::unique_ptr<l3d_screen> do_create(const l3d_screen_request& request,
                                           l3d_service& refusal) const override;
 
     void do_release() const override { windows_.release(); }
 
-    /// One probe for each way to GL, with the renderer. Other back-ends tell of the display.
+    /// Adds one probe for each way to GL, with the renderer. Other back-ends tell of the display.
     void do_diagnose(l3d_probes& probes) const override;
 
     std::string library_;

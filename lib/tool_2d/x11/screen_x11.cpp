@@ -132,8 +132,9 @@ private:
     std::vector<l3d_pixel_box> text_; ///< boxes of text in the picture; declared before its readers
     std::unique_ptr<x11_image> image_;
     l3d_image picture_;
-    l3d_pixel_box due_;        ///< the part that waits for a buffer
-    bool is_forgotten_ = true; ///< the window's contents are unknown, so all is to be put
+    l3d_pixel_box due_; ///< the part that waits for a buffer
+    /// The window's contents are unknown, so the whole picture is to be put.
+    bool is_forgotten_ = true;
     bool ground_is_due_ =
         false;                 ///< a whole picture was put, to which the window's ground has to fit
     bool sync_is_due_ = false; ///< a picture was put, and perhaps waits to be sent
@@ -152,8 +153,8 @@ void l3d_screen_x11::open() {
         window_->take_focus();
 }
 
-/// Makes an image in shared memory, as long as that works. Once it fails, all images go over the
-/// connection.
+/// Makes an image in shared memory, as long as sharing works. Once sharing fails, all images go
+/// over the connection.
 std::unique_ptr<x11_image> l3d_screen_x11::make_image(l3d_size size) {
     if (no_shm_.empty()) {
         std::string why;
@@ -221,8 +222,8 @@ void l3d_screen_x11::put_if_due(steady_clock::time_point deadline) {
     sync_is_due_ = true;
 }
 
-/// Reads everything that the server has sent. The last call is XPending: writing may read, too, and
-/// events that were read so would not wake a sleeper.
+/// Reads everything that the server has sent. The last call is XPending, since Xlib may read events
+/// also while it writes. A sleeper would not wake up for events that were read already.
 void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
     do {
         image_->look_after();
@@ -236,8 +237,8 @@ void l3d_screen_x11::read_events(steady_clock::time_point put_deadline) {
         events_.take_display_lost();
 }
 
-/// Asks the server for further facts. Most of these questions wait for the first picture, so that
-/// it comes sooner.
+/// Asks the server for further facts. Most of these questions are asked after the first picture, so
+/// that the picture comes sooner.
 void l3d_screen_x11::look_around() {
     if (image_->is_sending())
         return;
@@ -322,8 +323,8 @@ bool l3d_screen_x11::do_next_event(l3d_event& event) {
     return false;
 }
 
-/// Makes new pixels, when the program learns of a new size. Until then it may draw into the old
-/// ones.
+/// Makes new pixels, when the program learns of a new size. Until then the program may draw into
+/// the old pixels.
 bool l3d_screen_x11::resized_to(l3d_size size) {
     if (size == picture_.pixels().size()) {
         sync_.shown(size);

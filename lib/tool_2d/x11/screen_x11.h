@@ -12,8 +12,8 @@ namespace l3d_detail {
 class x11_connection;
 }
 
-/// Makes windows. service() keeps its connection, and create() uses it if DISPLAY still names that
-/// display. Connecting takes as long as all other steps together.
+/// Makes windows. service() keeps its connection. create() uses this connection if DISPLAY still
+/// names the same display. Connecting takes as long as all other steps together.
 ///
 /// A screen belongs to the thread that made it.
 class l3d_screen_factory_x11 : public l3d_screen_factory {

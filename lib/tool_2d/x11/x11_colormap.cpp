@@ -180,8 +180,8 @@ bool cell_sharer::allocate(XColor& color) {
     return true;
 }
 
-/// Asks for a cell of a near colour. It asks for the exact colour of the nearest cell, and gets
-/// that cell unless its owner may change it.
+/// Asks for a cell of a near colour. The request names the exact colour of the nearest cell. The
+/// request gets this cell unless the cell's owner may change the colour.
 bool cell_sharer::allocate_nearest(const palette_shape& shape, std::uint32_t wanted,
                                    XColor& color) {
     while (!found_.empty()) {
@@ -316,7 +316,7 @@ bool x11_colormap::is_of_default_visual() const {
     return visual_.visual == DefaultVisual(connection_.display(), connection_.screen());
 }
 
-/// Makes a map of our own, once, which nobody else writes.
+/// Makes a map of our own, which nobody else writes, unless there is one already.
 void x11_colormap::own(int alloc) {
     if (std::exchange(owned_, true))
         return;

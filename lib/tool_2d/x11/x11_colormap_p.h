@@ -35,8 +35,8 @@ struct palette_shape {
     /// Distance of two colours in their worst channel, in 510ths of a step of that channel.
     int distance(std::uint32_t one, std::uint32_t other) const;
 
-    /// Whether two colours differ by no more than half a step in each channel. Then a dither still
-    /// mixes colours from a level on each side.
+    /// Whether two colours differ by no more than half a step in each channel. If all cells of a
+    /// palette are so near to its colours, a dither still mixes colours from a level on each side.
     bool is_near(std::uint32_t one, std::uint32_t other) const {
         return distance(one, other) <= 255;
     }
@@ -57,7 +57,7 @@ int channel_difference(std::uint32_t one, std::uint32_t other);
 ///          the other six corners of the cube.
 std::optional<l3d_palette> palette_of_cells(std::span<const std::uint32_t> cells, bool ramp);
 
-/// The palette of all pixels that masks of few bits can make. It replaces the masks.
+/// The palette of all pixels that masks of few bits can make. This palette replaces the masks.
 l3d_palette palette_of_masks(const l3d_screen_info& info);
 
 /// A colormap, our cells in it, and the format of its pixels.
@@ -66,9 +66,10 @@ l3d_palette palette_of_masks(const l3d_screen_info& info);
 /// - DirectColor: a map of our own, with a straight ramp in each channel; then like TrueColor.
 /// - StaticColor, StaticGray: the largest palette_of_cells.
 /// - PseudoColor, GrayScale, if the visual is the screen's default: cells of the default map,
-///   shared with programs that ask for the same colours: 6x6x6 of them, or 64 grays. If there is no
-///   room, fewer levels, down to 4x4x4 or 16 grays. If even these have no room, all are tried once
-///   more. Then cells of other programs serve, too, if no channel is off by more than half a step.
+///   shared with programs that ask for the same colours. There are 6x6x6 colours, or 64 grays. If
+///   there is no room, there are fewer levels, down to 4x4x4 or 16 grays. If even these have no
+///   room, all numbers of levels are tried once more. Then cells of other programs serve, too, if
+///   no channel is off by more than half a step.
 /// - If sharing fails, or the visual is not the default: a map of our own with an exact palette. On
 ///   a display with one map in its hardware, other windows show wrong colours while ours has the
 ///   focus. So cells that are left over get the colours of the default map, which are those of
@@ -80,10 +81,10 @@ public:
     ///          the server went away.
     /// Lives:   the connection outlives the colormap.
     /// Cost:    with masks nothing, or one request; with static maps one round trip. A shared map
-    ///          gives cells singly: a round trip for each, and four to read the map. That is at
-    ///          most 220 if there is room: 5 ms locally, and 4 s on a line of 20 ms. If there is no
-    ///          room, it is three times as many: 216 + 125 + 64 tries for the three cubes, and one
-    ///          for each of 256 cells that turn out to be private.
+    ///          gives cells singly: a round trip for each, and four to read the map. With room,
+    ///          there are at most 220 round trips: 5 ms locally, and 4 s on a line of 20 ms.
+    ///          Without room, there are three times as many: 216 + 125 + 64 tries for the three
+    ///          cubes, and one for each of 256 cells that turn out to be private.
     static std::unique_ptr<x11_colormap> make(const x11_connection& connection,
                                               const x11_visual& visual, l3d_service& refusal);
 

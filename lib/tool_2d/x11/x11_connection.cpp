@@ -38,7 +38,7 @@ void make_x11_room(Display* display) {
 
 } // namespace
 
-/// The state of the process-wide handlers. Xlib calls these without any argument of ours.
+/// The state of the process-wide handlers. Xlib calls the handlers without any argument of ours.
 struct x11_handlers {
     std::mutex mutex;
     std::vector<x11_connection*> connections;
@@ -105,13 +105,13 @@ constexpr std::chrono::seconds longest_connect{3};
 // stopped one is not waited for.
 constexpr std::chrono::milliseconds longest_leave{200};
 
-/// Calls functions of Xlib that cannot go on if the server dies meanwhile. If it dies, jumps out of
-/// these functions.
+/// Calls functions of Xlib that cannot go on if the server dies meanwhile. If the server dies,
+/// jumps out of these functions.
 ///
-/// XOpenDisplay would end the process, as it has no display yet for an exit handler.
-/// XQueryExtension would take the reply that never came for the number of an extension. The jump
-/// leaks the memory that Xlib has taken so far, once. The test `a_server_may_die_at_any_byte` fails
-/// without this function.
+/// Without the jump, XOpenDisplay would end the process, as it has no display yet for an exit
+/// handler. XQueryExtension would take the reply that never came for the number of an extension.
+/// The jump leaks the memory that Xlib has taken so far, once. The test
+/// `a_server_may_die_at_any_byte` fails without this function.
 /// Expects: nothing in `ask` has a destructor.
 /// Errors:  false if the server died.
 template <class Ask> bool ask_safely(Ask ask) {
@@ -220,7 +220,7 @@ x11_connection::x11_connection(const char* name) {
     widen();
 }
 
-/// Finds out how much fits into the socket, and widens the buffer of a local one as far as the
+/// Finds out how much fits into the socket. Widens the buffer of a local socket as far as the
 /// system allows.
 void x11_connection::widen() {
     const int server = ConnectionNumber(display_);

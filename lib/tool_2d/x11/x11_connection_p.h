@@ -26,16 +26,16 @@ template <class Reply> using unique_reply = std::unique_ptr<Reply, x11_reply_fre
 /// The way in which the server gets our memory.
 enum class x11_sharing {
     unproven, ///< no way is proven yet
-    files,    ///< as files that are handed over
-    segments, ///< as segments of System V
+    files,    ///< the server gets memory as files that are handed over
+    segments, ///< the server gets memory as segments of System V
 };
 
 /// Owns a Display.
 ///
-/// Xlib's two error handlers belong to the whole process, and its own ones end it. While
-/// connections of this class exist, our handlers stand in front. They keep errors of these
-/// connections and hand all others to the previous handlers, which come back when the last
-/// connection ends. The same holds for SIGPIPE, which Xlib raises by writing to a dead server,
+/// Xlib's two error handlers belong to the whole process, and the default handlers end the process.
+/// While connections of this class exist, our handlers stand in front. Our handlers keep errors of
+/// these connections and hand all other errors to the previous handlers, which come back when the
+/// last connection ends. The same holds for SIGPIPE, which Xlib raises by writing to a dead server,
 /// unless the program handles or ignores it.
 class x11_connection {
 public:
@@ -60,7 +60,7 @@ public:
 
     using extension_query = Bool (*)(Display* display);
     /// Whether the server has an extension. `query` is the function of the extension's library that
-    /// asks the server for it. False if the server goes away meanwhile.
+    /// asks the server for this extension. False if the server goes away meanwhile.
     /// Cost:    one round trip, the first time.
     bool has(extension_query query) const;
 
@@ -68,7 +68,8 @@ public:
     x11_sharing sharing() const { return sharing_; }
     void set_sharing(x11_sharing sharing) { sharing_ = sharing; }
 
-    /// Whether the server is gone. From then on no call reaches it, and none may wait for it.
+    /// Whether the server is gone. From then on no call reaches the server, and none may wait for
+    /// it.
     bool lost() const { return lost_; }
 
     /// Sleeps until the server has sent something.
@@ -142,8 +143,8 @@ public:
     /// Cost:    one round trip.
     int sync();
 
-    /// As sync(), but without a round trip. It covers only requests before the last one that waited
-    /// for a reply.
+    /// As sync(), but without a round trip. The result covers only requests before the last one
+    /// that waited for a reply.
     int error() const { return connection_.trapped_error_; }
 
 private:

@@ -42,7 +42,7 @@ l3d_probe probe_visual(const x11_connection& connection) {
 }
 
 /// Whether the server trusts the connection. An untrusted connection, as that of ssh -X, sees only
-/// the two extensions that are named here.
+/// the two extensions that this function names.
 bool is_trusted(const x11_connection& connection) {
     int count = 0;
     char** const names = XListExtensions(connection.display(), &count);
@@ -53,7 +53,7 @@ bool is_trusted(const x11_connection& connection) {
     return shows_more;
 }
 
-/// Tells of anything special about the connection to the server.
+/// Adds a probe for each thing that is special about the connection to the server.
 void probe_way(const x11_connection& connection, l3d_probes& probes) {
     if (!is_trusted(connection))
         probes.push_back({"trust",

@@ -32,8 +32,8 @@ struct x11_refusal {
 /// Source:  X Window System Protocol, chapter 8 (connection setup).
 x11_refusal x11_refusal_of(const char* display, std::chrono::milliseconds longest);
 
-/// Adds probes of the display, its visual and its window manager, unless they are there already. If
-/// `with_shared_memory` is set, it adds a probe of memory that the display's server shares.
+/// Adds probes of the display, its visual and its window manager, unless `probes` has them already.
+/// If `with_shared_memory` is set, also adds a probe of memory that the display's server shares.
 void diagnose_x11(l3d_probes& probes, bool with_shared_memory);
 
 } // namespace l3d_detail

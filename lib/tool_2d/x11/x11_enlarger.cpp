@@ -19,7 +19,7 @@ unsigned length(int from, int to) {
     return static_cast<unsigned>(to - from);
 }
 
-/// Every other strip of `strip` rows or columns, from the second strip on.
+/// The second strip of `strip` rows or columns, and every second strip after it.
 std::vector<XRectangle> gaps(int strip, int length, int breadth, bool are_columns) {
     std::vector<XRectangle> list;
     for (int at = strip; at < length; at += 2 * strip) {
@@ -70,7 +70,7 @@ x11_enlarger::~x11_enlarger() {
 }
 
 /// A context for copies. Copies here never lack a part of their source, so the server need not
-/// report on that each time.
+/// report missing parts after each copy.
 GC x11_enlarger::make_copier() const {
     XGCValues values{};
     values.graphics_exposures = False;
@@ -92,8 +92,8 @@ void x11_enlarger::copy_columns(const l3d_pixel_box& cells, int factor) const {
                   length(cells.top, cells.bottom), factor * x, cells.top);
 }
 
-/// Copies rows of cells to their places in the large picture.
-/// Shape:   the cells' columns are those of the large picture already.
+/// Copies rows of the widened picture to every `factor`-th row of the large picture.
+/// Shape:   `cells` has columns of the large picture, but rows of the small one.
 void x11_enlarger::copy_rows(const l3d_pixel_box& cells, int factor) const {
     for (int y = cells.top; y < cells.bottom; ++y)
         XCopyArea(window_.display(), wide_, large_, copier_, cells.left, y,

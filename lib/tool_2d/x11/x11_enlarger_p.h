@@ -11,12 +11,12 @@
 
 namespace l3d_detail {
 
-/// Enlarges parts of a picture in the server. It uses only core requests, since untrusted clients
-/// have no others.
+/// Enlarges parts of a picture in the server. This class uses only core requests, since untrusted
+/// clients may use no others.
 ///
-/// The columns of a small picture are moved apart. Copies of the whole then fill the gaps, each
-/// shifted by twice as much as the copy before. Rows are enlarged in the same way.
-/// Lives:   the window outlives it.
+/// The columns of a small picture are moved apart. Copies of all columns then fill the gaps. Each
+/// copy is shifted by twice as much as the copy before. Rows are enlarged in the same way.
+/// Lives:   the window outlives the enlarger.
 /// Cost:    memory in the server for almost two large pictures. A part of w x h cells takes w + h
 ///          requests of 28 bytes beside its pixels.
 class x11_enlarger {
@@ -45,7 +45,8 @@ public:
     void show(const l3d_pixel_box& box) const;
 
 private:
-    static constexpr std::size_t doublings = 2; ///< as many as lead to the largest factor
+    /// The number of doublings that make the largest factor.
+    static constexpr std::size_t doublings = 2;
 
     GC make_copier() const;
     GC make_filler(const std::vector<XRectangle>& gaps) const;
@@ -53,7 +54,7 @@ private:
     void copy_rows(const l3d_pixel_box& cells, int factor) const;
 
     const x11_window& window_;
-    Pixmap small_, wide_, large_; ///< the cells; those with enlarged columns; the large picture
+    Pixmap small_, wide_, large_; ///< the cells; the cells with enlarged columns; the large picture
     GC copier_;
     std::array<GC, doublings> column_fillers_{}, row_fillers_{};
 };

@@ -60,8 +60,8 @@ public:
     x11_image& operator=(const x11_image&) = delete;
     virtual ~x11_image() = default;
 
-    /// Whether a buffer is free for a picture. The server still reads the others, and pictures that
-    /// it has not read must not pile up.
+    /// Whether a buffer is free for a picture. The server still reads the busy buffers. Pictures
+    /// that it has not read must not pile up.
     bool is_free() const { return do_is_free(); }
 
     /// Sends a part of the picture, and asks for an event that tells when the server has it. Xlib
@@ -95,7 +95,7 @@ public:
     /// Whether the server has answered all puts.
     bool is_idle() const { return do_is_idle(); }
 
-    /// Notes that the window may have lost its picture: the next one has to be whole.
+    /// Notes that the window may have lost its picture: the next picture has to be whole.
     void forget_shown() { do_forget_shown(); }
 
     /// Takes the event if it is an answer to put; false if it is not.
@@ -131,14 +131,14 @@ private:
 std::unique_ptr<x11_image> make_x11_image_put(const x11_window& window, l3d_size size);
 
 /// Makes an image for a slow line, which sends only pixels that differ from those sent before. If
-/// there are many, it sends fewer and coarser ones, which the server enlarges. The fine ones follow
-/// once no picture has come for a while.
+/// many pixels differ, the image sends fewer and coarser cells, which the server enlarges. The fine
+/// pixels follow once no picture has come for a while.
 /// Errors:  as make_x11_image_put.
 /// Lives:   the window outlives the image.
 std::unique_ptr<x11_image> make_x11_image_sparing(const x11_window& window, l3d_size size);
 
 /// Makes an image in memory that the server shares.
-/// Errors:  null, with one line in `why`, if that cannot be done here; std::bad_alloc.
+/// Errors:  null, with one line in `why`, if memory cannot be shared here; std::bad_alloc.
 /// Cost:    as x11_shm_segment::make.
 std::unique_ptr<x11_image> make_x11_image_shm(const x11_window& window, l3d_size size,
                                               std::string& why);

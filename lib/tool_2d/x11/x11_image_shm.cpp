@@ -82,7 +82,8 @@ private:
         return true;
     }
 
-    /// Takes the server's answer. Returns false if it is about an image that this one has replaced.
+    /// Takes the server's answer. Returns false if the answer is about an earlier image, which this
+    /// one has replaced.
     bool take_completion(const XShmCompletionEvent& event) {
         if (event.shmseg != segment_->info().shmseg)
             return false;

@@ -107,8 +107,8 @@ private:
         send(deadline);
     }
 
-    /// Adds the pixels that changed, and pixels that have come to rest: at least `least_rest` of
-    /// these, if there are so many.
+    /// Adds the pixels that changed, and at least `least_rest` of the pixels that have come to
+    /// rest, if there are so many.
     void add_motion(const l3d_pixels& picture, std::int64_t least_rest) {
         const int factor = factor_for(changed_.pixels());
         const std::int64_t room = pixels_at_once() - changed_.pixels() / (factor * factor);
@@ -142,7 +142,7 @@ private:
             }
     }
 
-    /// Notes changed pixels. Those within text and those beside it are sent in different ways.
+    /// Notes changed pixels. Pixels within text and pixels beside text are sent in different ways.
     void add_changed(const l3d_pixel_box& box) {
         for (const l3d_pixel_box& text : text_)
             if (const l3d_pixel_box letters = box.intersected(text); !letters.empty())
@@ -165,7 +165,8 @@ private:
         return rests;
     }
 
-    /// Adds text tile by tile, as much as goes at once. Returns the number of pixels that are sent.
+    /// Adds text tile by tile, as much as can be sent at once. Returns the number of pixels that
+    /// are sent.
     std::int64_t add_text() {
         std::int64_t pixels = 0;
         while (!letters_.empty() && pixels < pixels_at_once())
@@ -174,9 +175,9 @@ private:
         return pixels;
     }
 
-    /// Adds a tile of text. Most of it has the panel's ground colour, with which the server fills
-    /// it. The box around all other pixels is sent, so these never blink. Returns the number of
-    /// pixels that are sent.
+    /// Adds a tile of text. Most of the tile has the panel's ground colour, with which the server
+    /// fills the tile. The box around all other pixels is sent, so these pixels never blink.
+    /// Returns the number of pixels that are sent.
     std::int64_t add_text(const l3d_pixel_box& box) {
         const auto* const ground = place_of(box.left, box.top);
         l3d_pixel_box letters;
@@ -217,7 +218,7 @@ private:
 
     std::int64_t pixels_at_once() const { return bytes_at_once / window_.info().bytes_per_pixel(); }
 
-    /// The width and height of cells, in pixels, with which so many pixels can be sent at once.
+    /// The width and height of cells, in pixels, with which `pixels` can be sent at once.
     int factor_for(std::int64_t pixels) const {
         int factor = 1;
         while (factor < x11_enlarger::largest_factor &&
@@ -298,7 +299,7 @@ private:
         enlarger_ = std::make_unique<x11_enlarger>(window_, native_);
     }
 
-    /// Writes cells. The colour of each is the mean of the words that it shows.
+    /// Writes cells. The colour of each cell is the mean of the words that the cell shows.
     void write_cells(const l3d_pixels& picture, const l3d_pixel_box& part, int factor) {
         std::vector<std::uint32_t> words(static_cast<std::size_t>(part.right - part.left));
         const auto box_of = [&](int x, int y) {
@@ -331,7 +332,7 @@ private:
         }
     }
 
-    /// Ends the steps, if there are any, by a question, whose answer tells that all are done.
+    /// If there are steps, ends them by a question, whose answer tells that all steps are done.
     void add_question() {
         if (!steps_.empty())
             steps_.emplace_back([this] { echo_.ask(); });

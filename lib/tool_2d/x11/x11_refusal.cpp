@@ -66,7 +66,7 @@ struct address_freer {
 };
 using address_list = std::unique_ptr<addrinfo, address_freer>;
 
-/// The display's number after the colon, without the screen. It is -1 if there is none.
+/// The display's number after the colon, without the screen. -1 if there is no number.
 int number_of(const std::string& display, std::size_t colon) {
     int number = -1;
     if (colon != std::string::npos)
@@ -267,7 +267,7 @@ bool receive(int file, std::span<char> bytes, steady_clock::time_point deadline)
     return true;
 }
 
-/// The server's own words for its refusal. There are none if it accepts, or says nothing.
+/// The server's own words for its refusal. Nothing if the server accepts, or gives no words.
 std::optional<std::string> refused(int file, const Xauth* cookie,
                                    steady_clock::time_point deadline) {
     const auto said = greeting(cookie);

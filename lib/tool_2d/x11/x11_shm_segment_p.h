@@ -20,9 +20,9 @@ namespace l3d_detail {
 ///
 /// If the server supports it (MIT-SHM 1.2), the memory is a file without a name, which is handed to
 /// the server. Such memory cannot be mistaken for another's, has no limits of its own, and works
-/// from within a container. Otherwise it is a segment of System V. Nobody else may open this
-/// segment (mode 0600), and its name is removed at once. The kernel frees either kind with the last
-/// process that has it, however that process ends.
+/// from within a container. Otherwise the memory is a segment of System V. Nobody else may open
+/// this segment (mode 0600), and its name is removed at once. The kernel frees either kind with the
+/// last process that has it, however that process ends.
 /// Lives:   the connection outlives the segment.
 class x11_shm_segment {
 public:
@@ -33,7 +33,7 @@ public:
     /// Shape:   at least `size` bytes; the proof is a row of pixels of this layout.
     /// Errors: null, with one line in `why` that gives the reasons of kernel or server;
     ///         std::bad_alloc. A later segment that the server refuses fails at its first use.
-    /// Cost:    the first time five round trips for a file, and as many more if that fails.
+    /// Cost:   the first time five round trips for a file, and five more if the file fails.
     static std::unique_ptr<x11_shm_segment> make(x11_connection& connection, Visual* visual,
                                                  const l3d_pixel_layout& layout, std::size_t size,
                                                  std::string& why);

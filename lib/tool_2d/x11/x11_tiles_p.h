@@ -13,7 +13,8 @@
 namespace l3d_detail {
 
 /// A set of pixels that are to be sent. The picture is divided into tiles, and each tile has one
-/// box that holds its pixels of the set. So the boxes are few, and hold few other pixels.
+/// box that holds the set's pixels in this tile. So the boxes are few, and hold few pixels outside
+/// of the set.
 /// Cost:    16 bytes a tile.
 class x11_tiles {
 public:
@@ -31,15 +32,15 @@ public:
     /// Adds all pixels of a box. Expects: the box lies in the picture.
     void add(const l3d_pixel_box& box);
 
-    /// Removes the box of each tile if that box lies wholly in the given one.
+    /// Removes the box of each tile whose box lies wholly in the given box.
     void remove(const l3d_pixel_box& box);
 
     /// The parts of the boxes that lie inside `box`; none overlap. Expects: `box` lies in the
     /// picture.
     std::vector<l3d_pixel_box> inside(const l3d_pixel_box& box) const;
 
-    /// Takes boxes out of the set, from top to bottom: all, or until they have at least `most`
-    /// pixels. One at least is taken unless the set is empty. No two boxes overlap.
+    /// Takes boxes out of the set, from top to bottom: all boxes, or as many as have at least
+    /// `most` pixels. At least one is taken unless the set is empty. No two boxes overlap.
     std::vector<l3d_pixel_box> take(std::int64_t most = std::numeric_limits<std::int64_t>::max());
 
 private:

@@ -101,8 +101,8 @@ bool is_good(const x11_visual& visual) {
     return has_masks(visual) && fewest_bits(visual) >= 5;
 }
 
-/// Whether pixels have more bits than colours need: these are alpha. Such windows are drawn in
-/// memory of their own, and then converted to the default visual.
+/// Whether pixels have more bits than colours need: the further bits are alpha. Windows with alpha
+/// are drawn in memory of their own, and then converted to the default visual.
 bool has_alpha(const x11_visual& visual) {
     const auto& layout = visual.layout;
     return layout.depth == 32 && ~(layout.red_mask | layout.green_mask | layout.blue_mask) != 0;

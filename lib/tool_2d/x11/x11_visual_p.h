@@ -29,9 +29,9 @@ std::vector<x11_visual> offered_x11_visuals(const x11_connection& connection);
 /// Usable are TrueColor and DirectColor with 8, 16, 24 or 32 bits per pixel. So are colormaps of 16
 /// to 4096 cells with 8 or 16 bits. A visual is good if each of its masks has five bits or more.
 ///
-/// The function takes the preferred visual if it is good, else the best visual if that is good. If
-/// none is good, it keeps the preferred one. Another colormap would spoil the colours of other
-/// windows. If the preferred one is unusable, it takes the best.
+/// The function takes the preferred visual if this is good, else the best visual if that is good.
+/// If none is good, the function keeps the preferred visual, since another colormap would spoil the
+/// colours of other windows. If the preferred visual is unusable, the function takes the best one.
 ///
 /// The best visual has no alpha. Ties go to the most bits in the poorest channel, counted up to 8.
 /// Further ties go to TrueColor, whose colormap needs no writing, then to the greatest depth.

@@ -45,9 +45,8 @@ constexpr unsigned char icon_file[] = {
 #include "packaging/desktop/icon.png.bytes"
 };
 
-/// The library's icon for desktops, in the form of _NET_WM_ICON. It is width, height, and
-/// 0xAARRGGBB for each pixel from the top left on. Each number is a long, whatever its
-/// size.
+/// The library's icon for desktops, in the form of _NET_WM_ICON. Its numbers are width, height, and
+/// 0xAARRGGBB for each pixel from the top left on. Each number is a long, whatever size a long has.
 /// Source:  Extended Window Manager Hints, 1.3.
 std::vector<long> icon() {
     png_image picture{};
@@ -146,8 +145,8 @@ void x11_window::set_property(Atom name, Atom type, int format, const void* data
                     static_cast<const unsigned char*>(data), static_cast<int>(count));
 }
 
-/// Sets the title, also in its old property. The old property is in Latin-1 if that can hold the
-/// title, else in an encoding that Xlib chooses.
+/// Sets the title, in the property of today's managers and in the old one. The old property is in
+/// Latin-1 if Latin-1 can hold the title, else in an encoding that Xlib chooses.
 void x11_window::set_title(std::string title) {
     set_property(atoms_.net_wm_name, atoms_.utf8_string, 8, title.data(), title.size());
     XTextProperty old_name{};

@@ -13,7 +13,7 @@
 
 namespace l3d_detail {
 
-/// The numbers that X has for these names.
+/// X's numbers for these names of properties and messages.
 struct x11_atoms {
     Atom wm_protocols = 0;
     Atom wm_delete_window = 0;
@@ -110,10 +110,10 @@ private:
     int scale_;
     double text_scale_ = 1;
     bool managed_ = false;
-    unsigned watchers_ = 0; ///< the bits of those who need all motion of the pointer
+    unsigned watchers_ = 0; ///< the bits of the watchers that need all motion of the pointer
     Window window_ = 0;
     GC graphics_ = nullptr;
-    unsigned long ground_ = 0; ///< the window's background, a pixel of the display's
+    unsigned long ground_ = 0; ///< the window's background, as a native pixel
 };
 
 } // namespace l3d_detail

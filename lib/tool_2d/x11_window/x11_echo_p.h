@@ -14,7 +14,7 @@ namespace l3d_detail {
 /// Tells when the server has done all earlier requests.
 ///
 /// We send an event to our own window. The server works in order, so the event comes back after all
-/// earlier requests are done. Unlike a request with a reply, it makes nobody wait.
+/// earlier requests are done. Nobody waits for this event, unlike for a reply.
 class x11_echo {
 public:
     explicit x11_echo(const x11_window& window) : window_(window) {}
@@ -52,8 +52,8 @@ public:
     }
 
 private:
-    /// Tells this answer from those to another x11_echo: an event has room for 32 bits, with a
-    /// sign.
+    /// The name by which our answer differs from answers to another x11_echo. An event has room for
+    /// 32 bits, with a sign.
     long name() const { return static_cast<std::int32_t>(serial_); }
 
     const x11_window& window_;

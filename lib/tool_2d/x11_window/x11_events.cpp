@@ -148,7 +148,7 @@ bool x11_events::next(l3d_event& event) {
     return true;
 }
 
-/// Adds an event and removes earlier ones of these types, since the latest is enough.
+/// Adds an event and removes earlier events of these types, since the latest event is enough.
 void x11_events::push_instead_of(std::initializer_list<l3d_event_type> types,
                                  const l3d_event& event) {
     std::erase_if(queue_, [types](const l3d_event& earlier) {
@@ -169,7 +169,7 @@ void x11_events::look() {
 }
 
 /// Takes a new size. Only the server itself tells of new sizes. Events that other clients send tell
-/// of places, and their size may be anything.
+/// of places; the size in these events may be anything.
 void x11_events::take_size(const XConfigureEvent& event) {
     if (event.send_event == 0) {
         size_ = window_.ours({event.width, event.height});
@@ -249,8 +249,8 @@ void x11_events::release_all() {
         }
 }
 
-/// Whether a release belongs to a repeated press. Servers without detectable autorepeat send both
-/// at the same time.
+/// Whether a release belongs to a repeated press. Servers without detectable autorepeat give both
+/// the release and the next press the same time.
 bool x11_events::is_autorepeat(const XKeyEvent& release) const {
     if (XEventsQueued(window_.display(), QueuedAfterReading) == 0)
         return false;

@@ -22,9 +22,9 @@ namespace l3d_detail {
 /// the pointer's place until something else happens. Every key whose press is reported is also
 /// reported as released, when the window loses the keyboard at the latest.
 ///
-/// Xlib reads the keymap when it looks up the first key, and after each change. It then waits for
+/// Xlib reads the keymap when it looks up the first key, and after each change. Xlib then waits for
 /// the server, and does not notice a first signal. So the keymap is read right after an answer of
-/// the server, and later events of the user wait until then.
+/// the server, and later events of the user wait for this answer.
 class x11_events {
 public:
     /// `size` is the window's first size.
@@ -34,7 +34,8 @@ public:
     /// Translates one event. A ping of the window manager is answered here.
     void take(XEvent& event);
 
-    /// Call after the first picture: it reads the keymap early, so the first key need not wait.
+    /// Has the keymap read early, so that the first key need not wait. Call it after the first
+    /// picture.
     void want_keyboard();
 
     /// Asks for an answer of the server if the keymap has to be read. Call it now and then.
@@ -60,7 +61,7 @@ public:
     bool empty() const { return queue_.empty(); }
 
     /// Whether the oldest event is about fullscreen: the event `fullscreen`, or the key Escape,
-    /// whose action depends on it. Expects: !empty().
+    /// whose action depends on whether the window covers the screen. Expects: !empty().
     bool is_about_fullscreen() const {
         const l3d_event& oldest = queue_.front();
         return oldest.type == l3d_event_type::fullscreen ||
@@ -108,11 +109,12 @@ private:
     bool keyboard_is_due_ = false, keyboard_was_wanted_ = false;
     std::vector<XEvent> waiting_; ///< events that wait for the keymap: its change, and all after it
     bool covered_ = false, unmapped_ = false, away_ = false;
-    Time turned_at_ = 0;               ///< time at which a fine wheel last turned
-    double turned_ = 0;                ///< notches since the last full one
-    bool hidden_ = false;              ///< whether the program was last told of hide
-    bool exposure_is_due_ = false;     ///< expose is told as soon as the window can be seen
-    std::array<int, 256> held_{};      ///< by key code: the key told pressed; 0: it is up
+    Time turned_at_ = 0;           ///< time at which a fine wheel last turned
+    double turned_ = 0;            ///< notches that the wheel turned since its last full notch
+    bool hidden_ = false;          ///< whether the program was last told of hide
+    bool exposure_is_due_ = false; ///< expose is told as soon as the window can be seen
+    /// For each key code, the key whose press was told; 0: the key is up.
+    std::array<int, 256> held_{};
     std::chrono::milliseconds time_{}; ///< time of the last event that had one; 0: none had
     XButtonEvent last_press_{}; ///< the last press, which may become a double click; button 0: none
 };

@@ -13,10 +13,10 @@ namespace l3d_detail {
 
 /// Covers the screen with a window, or gives the window its old place back.
 ///
-/// It asks a window manager, if one can do so. Otherwise the window covers the monitor that it is
-/// on. The state that the manager reports counts, whoever asked for it. A new manager takes over,
-/// and one that ends leaves the window as it is. While the window covers the screen, a resting
-/// pointer is hidden.
+/// If there is a window manager that can cover the screen, the class asks this manager. Otherwise
+/// the window covers the monitor that it is on. The state that the manager reports counts, whoever
+/// asked for this state. A new manager takes over, and a manager that ends leaves the window as it
+/// is. While the window covers the screen, a resting pointer is hidden.
 /// Lives:   borrows window and state.
 class x11_fullscreen {
 public:
@@ -29,8 +29,8 @@ public:
     /// Whether the window covers the screen, or will once all requests are done.
     bool is_on() const;
 
-    /// Asks for the window to cover the screen, or not. This happens as soon as the window's state
-    /// is known.
+    /// Asks for the window to cover the screen, or to cover it no longer. The change begins as soon
+    /// as the window's state is known.
     void set(bool on);
 
     /// Takes note of an event about our window, if the pointer or the window has moved.
@@ -69,7 +69,7 @@ private:
     /// Whether the window covers the screen.
     bool on_ = false;
 
-    /// Whether a manager covered the screen, or would do so, at our last look.
+    /// Whether a manager made the window cover the screen, or would do so, at our last look.
     bool granted_ = false;
 
     /// Whether we made the window cover the screen ourselves.

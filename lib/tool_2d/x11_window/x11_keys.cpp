@@ -56,7 +56,7 @@ constexpr std::array<std::pair<KeySym, int>, 34> named_keys{{
     {XK_Meta_R, l3d_key_alt},
 }};
 
-/// The key of a keysym. It is 0 for a keysym that is none of our keys.
+/// The key of a keysym. 0 for a keysym that is none of our keys.
 int key_of_keysym(KeySym keysym) {
     const auto* named = std::ranges::find(named_keys, keysym, &std::pair<KeySym, int>::first);
     if (named != named_keys.end())
@@ -91,7 +91,7 @@ KeySym symbol_of(Display* display, unsigned code, unsigned group, int level) {
 }
 
 /// Whether a group of the layout has at least half of the Latin letters. Layouts of other scripts
-/// have none, although some have signs of ASCII in their places.
+/// have no Latin letters, although some have signs of ASCII in their places.
 bool is_latin(Display* display, unsigned group) {
     constexpr int half_of_alphabet = 13;
     int letters = 0;
@@ -100,8 +100,8 @@ bool is_latin(Display* display, unsigned group) {
     return letters >= half_of_alphabet;
 }
 
-/// The Latin letter or sign of a key whose own group has another script. It comes from the first
-/// group with Latin letters, or else from the key's place.
+/// The Latin letter or sign of a key whose own group has another script. The letter comes from the
+/// first group with Latin letters, or else from the key's place.
 int latin_key(const XKeyEvent& event, unsigned own_group) {
     const int level = (event.state & ShiftMask) != 0 ? 1 : 0;
     for (unsigned group = 0; group < XkbNumKbdGroups; ++group) {
@@ -173,7 +173,8 @@ void x11_text::freer::operator()(xkb_compose_state* state) const {
     xkb_compose_state_unref(state);
 }
 
-/// Opens the table of sequences, which is a file of Xlib's. Without one, dead keys type nothing.
+/// Opens the table of sequences, which is a file of Xlib's. Without this table, dead keys type
+/// nothing.
 void x11_text::open() {
     if (is_open_)
         return;

@@ -14,9 +14,9 @@ struct xkb_compose_state;
 
 namespace l3d_detail {
 
-/// The key of an event: ASCII or an l3d_key; 0 for other keys. It follows the keyboard layout's
-/// group and shift level in use, without regard to Caps Lock. On a Greek or Cyrillic layout, a key
-/// at the place of a Latin letter gives that letter, whatever it types.
+/// The key of an event: ASCII or an l3d_key; 0 for other keys. The key follows the keyboard
+/// layout's group and shift level in use, without regard to Caps Lock. On a Greek or Cyrillic
+/// layout, a key at the place of a Latin letter gives that letter, whatever it types.
 int key_of(XKeyEvent event);
 
 /// Turns presses of keys into text, dead keys and the key Compose included.
@@ -44,8 +44,9 @@ private:
 
     std::unique_ptr<xkb_context, freer> context_;
     std::unique_ptr<xkb_compose_table, freer> table_;
-    std::unique_ptr<xkb_compose_state, freer> state_; ///< null without a table
-    bool is_open_ = false;                            ///< whether opening the table was tried
+    /// The sequence that is being typed; null without a table.
+    std::unique_ptr<xkb_compose_state, freer> state_;
+    bool is_open_ = false; ///< whether opening the table was tried
 };
 
 } // namespace l3d_detail

@@ -14,16 +14,16 @@
 
 namespace l3d_detail {
 
-/// How far the pointer moved. Units: pixels of ours, to the right and down.
+/// How far the pointer moved to the right and down. Units: pixels of the program.
 struct x11_way {
     double right = 0, down = 0;
 };
 
 /// Holds the pointer for a program that wants it, as long as the window has the keyboard.
 ///
-/// A held pointer is put back to the window's middle whenever it comes far from it, so that it can
-/// move without end. X tells only places. The program gets their differences, without the leaps
-/// back. This also works on servers over a network or nested in others.
+/// A held pointer is put back to the window's middle whenever it comes far from the middle, so that
+/// it can move without end. X tells only places. The program gets the differences of places,
+/// without the leaps back. Holding also works on servers over a network or nested in others.
 /// Lives:   borrows the window.
 /// Cost:    nothing waits for an answer; a leap every quarter of a window.
 class x11_pointer {
@@ -46,14 +46,14 @@ public:
     /// Notes the window's size. Units: display pixels.
     void set_size(l3d_size native) { size_ = native; }
 
-    /// Asks the server to hold the pointer if that is due. Call it now and then.
+    /// Asks the server to hold the pointer if this is due. Call it now and then.
     void look_after();
 
     /// True if the event was the server's answer to a request of look_after().
     bool take(const XEvent& event);
 
-    /// The pointer's motion in this event; 0 if it is not held. Nothing if the event only reports
-    /// that the pointer was put back.
+    /// How far this event moved a held pointer. Zero if the pointer is not held. `nullopt` if a
+    /// held pointer did not move, was only put back, or has no known earlier place.
     std::optional<x11_way> way_of(const XMotionEvent& event);
 
 private:
@@ -77,7 +77,8 @@ private:
     bool is_held_ = false;
     xcb_grab_pointer_cookie_t asked_{};
     clock::time_point next_try_{};
-    unsigned long leap_ = 0;    ///< the request that put the pointer back; 0: it has arrived
+    /// The request that put the pointer back; 0: the pointer has arrived.
+    unsigned long leap_ = 0;
     std::optional<place> last_; ///< a held pointer's last place; nothing before its first motion
 };
 

@@ -35,8 +35,8 @@ double resource_dpi(std::string_view resources) {
     return dpi;
 }
 
-/// Reads the numbers and texts of settings one by one. After a missing one, all others count as
-/// missing.
+/// Reads the numbers and texts of settings one by one. After a missing value, all later values
+/// count as missing.
 class settings_reader {
 public:
     /// Begins at the text's start. Expects: a text whose first byte is 0 if numbers have their low
@@ -79,7 +79,8 @@ private:
     bool is_whole_ = true;
 };
 
-/// The factor from the usual resolution, at least 1. It is 1 if `dpi` is not a number.
+/// The factor by which `dpi` exceeds the usual resolution, at least 1. For a `dpi` that is not a
+/// number, it is 1.
 double fineness_of(double dpi) {
     const double wanted = dpi / usual_dpi;
     return wanted > 1 ? std::min<double>(wanted, l3d_largest_scale) : 1;

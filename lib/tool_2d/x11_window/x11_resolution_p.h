@@ -20,9 +20,9 @@ inline int x11_scale(const l3d_screen_request& request) {
     return request.scale == 0 ? 1 : request.scale;
 }
 
-/// The size of the picture, in our pixels. If the request names a scale, it is the requested size.
-/// Otherwise the requested size is multiplied by the display's fineness, within X's limits. So
-/// people see the window as large as on a usual display.
+/// The size of the picture, in our pixels. If the request names a scale, this is the requested
+/// size. Otherwise the requested size is multiplied by the display's fineness, within X's limits.
+/// So people see the window as large as on a usual display.
 /// Cost:    none; Xlib has read the resources when it opened the display.
 /// Source:  GLFW takes Xft.dpi in units of 96, like the toolkits that the user's settings are for.
 l3d_size x11_picture_size(const x11_connection& connection, const l3d_screen_request& request);

@@ -27,8 +27,9 @@ int whole(xcb_input_fp1616_t value) {
     return value >> 16;
 }
 
-/// Keeps a message, of which Xlib knows nothing, in the form of XCB's events. There, a number of
-/// XCB's own follows the first 32 bytes. The length counts the words after those.
+/// Keeps a message, of which Xlib knows nothing, in the form of XCB's events. In this form, a
+/// number of XCB's own follows the first 32 bytes. The length counts the words after these 32
+/// bytes.
 Bool keep_message(Display* display, XGenericEventCookie* cookie, xEvent* wire) {
     constexpr std::size_t head = 32, word = 4;
     const auto* const first = reinterpret_cast<const std::uint8_t*>(wire);
@@ -112,7 +113,7 @@ void x11_scroll::hear() {
                                  XCB_INPUT_XI_EVENT_MASK_MOTION | XCB_INPUT_XI_EVENT_MASK_ENTER);
 }
 
-/// Adds all axes of a device with their positions, and for wheels the length of a notch.
+/// Adds all axes of a device with their positions. For wheels, also notes the length of a notch.
 void x11_scroll::add_wheels(const xcb_input_xi_device_info_t& device) {
     for (auto at = xcb_input_xi_device_info_classes_iterator(&device); at.rem > 0;
          xcb_input_device_class_next(&at)) {

@@ -24,10 +24,10 @@ struct x11_turn {
 /// The fine wheels of a display, by XInput 2.1.
 ///
 /// X counts how far each wheel has turned since it was plugged in. We ask for these numbers after
-/// the first picture, and listen only if there is such a wheel. From then on the server tells each
+/// the first picture, and listen only if there is a fine wheel. From then on the server tells each
 /// motion of the pointer over the window. Without the extension nothing changes, and wheels are
 /// buttons 4 and 5.
-/// Lives:   the window outlives it.
+/// Lives:   the window outlives the object.
 /// Cost:    nothing waits for an answer; requests are sent only while the connection has room.
 class x11_scroll {
 public:
@@ -36,13 +36,13 @@ public:
     /// Asks the server about wheels, step by step. Call it now and then once there is a picture.
     void look_after();
 
-    /// Looks at an event. Gives the motion or turn that it tells of, else nothing.
+    /// Returns the motion or turn that an event tells of; nothing if the event tells of neither.
     std::optional<x11_turn> take(XEvent& event);
 
 private:
     enum class stage { unasked, searching, asking, watching };
 
-    /// A wheel's name: its device, and its number there.
+    /// A wheel's name: the wheel's device, and the wheel's number in this device.
     using name = std::pair<std::uint16_t, std::uint16_t>;
     struct wheel {
         double increment = 0; ///< the length of a notch; 0: the axis is no wheel

@@ -102,8 +102,8 @@ xcb_get_property_cookie_t x11_wm_facts::ask_property(Window window, name propert
                             XCB_GET_PROPERTY_TYPE_ANY, 0, longest_property);
 }
 
-/// The answer about a property. It is empty if there is no such property, or if the property is not
-/// a list of numbers.
+/// The answer about a property. The answer is empty if there is no such property, or if the
+/// property is not a list of numbers.
 std::vector<std::uint32_t> x11_wm_facts::hear_property(xcb_get_property_cookie_t cookie) const {
     const unique_reply<xcb_get_property_reply_t> reply(
         xcb_get_property_reply(xcb_, cookie, nullptr));
@@ -160,8 +160,8 @@ std::vector<l3d_pixel_box> x11_wm_facts::hear_monitors() {
     return monitors;
 }
 
-/// Takes the fineness from the settings. It changes only after the present manager of settings has
-/// sent its own value.
+/// Takes the fineness from the settings. The fineness changes only after the present manager of
+/// settings has sent its own value.
 void x11_wm_facts::hear_settings() {
     const auto hear_text = [this](xcb_get_property_cookie_t cookie) {
         return unique_reply<xcb_get_property_reply_t>(

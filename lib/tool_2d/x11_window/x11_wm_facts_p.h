@@ -22,15 +22,16 @@ struct x11_facts {
     bool grants_fullscreen = false; ///< the manager lives, and makes windows fullscreen on request
     bool fullscreen = false;        ///< the manager says that our window is fullscreen
     bool away = false; ///< our window is minimised, on another workspace, or not viewable
-    std::vector<l3d_pixel_box> monitors{}; ///< places in the display's pixels; empty: not known
-    double fineness = 1; ///< as x11_fineness gives it, by a manager of settings or the resources
+    /// The places of monitors, in display pixels; empty: not known.
+    std::vector<l3d_pixel_box> monitors{};
+    /// The display's fineness (x11_fineness), by a manager of settings or by resources.
+    double fineness = 1;
 };
 
 /// Keeps the facts up to date by properties that others write: of our window, of the root, and of
 /// the windows by which managers of windows and of settings show that they live.
-///
-/// Each change asks for all facts anew, in one go. The last request is an event to ourselves. So
-/// nobody waits for a reply: when the event comes, the replies are there.
+/// Each change asks for all facts anew, in one go. The last request sends an event to ourselves. So
+/// nobody waits for a reply: when this event comes, the replies are there.
 /// Lives:   borrows the window.
 class x11_wm_facts {
 public:
@@ -63,7 +64,7 @@ public:
     /// Asks for everything, and from then on hears of changes by itself.
     void ask();
 
-    /// Calls ask() if that was never done, or if the connection had no room. So a slow or stopped
+    /// Calls ask() if it was never called, or if the connection had no room. So a slow or stopped
     /// server does not stop the program. Call it now and then.
     void look_after() {
         if (stage_ == stage::unwatched || is_due_)
