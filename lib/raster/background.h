@@ -13,8 +13,8 @@
 #include <cstdint>
 #include <optional>
 
-/// The bits of a pixel word that make it transparent by this share: its highest byte, from 0 to
-/// 255, shifted to its place in the word.
+/// The bits that make a pixel word transparent by this share. They are the word's highest byte: 255
+/// times the share, rounded.
 /// Expects: a share from 0 to 1.
 inline std::uint32_t l3d_transparency_of(float share) {
     return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
@@ -84,7 +84,7 @@ private:
 struct L3D_PUBLIC l3d_fog {
     float from = 0; ///< distance at which fog begins
     float to = 0;   ///< distance at which fog hides everything
-    /// The fog's pixel word; none: the background's colour in each row.
+    /// The fog's pixel word. Without a word, fog has the background's colour in each row.
     std::optional<l3d_color> color{};
 
     /// Whether there is any fog.

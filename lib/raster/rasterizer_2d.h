@@ -89,10 +89,10 @@ struct L3D_PUBLIC l3d_fill {
     /// Lives: borrowed while drawing.
     const l3d_path* clip = nullptr;
     l3d_winding clip_inside = l3d_winding::nonzero; ///< which points are inside of the clip path
-    /// Only pixels in this box are drawn; by default, all of them.
+    /// Only pixels in this box are drawn. The default box holds all pixels.
     l3d_pixel_box box{0, 0, l3d_largest_side, l3d_largest_side};
     /// The way in which the colour is mixed with the picture's. Outputs that cannot read their own
-    /// picture always mix coded.
+    /// picture always mix as `coded` does.
     l3d_blending blending = l3d_blending::coded;
 };
 
@@ -134,8 +134,8 @@ private:
     virtual void do_draw_path(const l3d_path& path, const l3d_fill& fill);
     virtual void do_draw_image(const l3d_placed_image& image, const l3d_fill& fill);
 
-    /// Draws curves. By default, they become points, and do_draw_mesh draws Gouraud-shaded
-    /// triangles.
+    /// Draws curves. By default, curves are drawn as points, and do_draw_mesh draws meshes as
+    /// Gouraud-shaded triangles.
     virtual void do_draw_curves(const l3d_path& path, l3d_color color);
     virtual void do_draw_mesh(std::span<const l3d_mesh_patch> patches);
 };
@@ -144,8 +144,8 @@ private:
 ///
 /// Positions of corners and of the ends of smooth lines are rounded to 1/256 pixel; everything
 /// after that is exact. A shape with a coordinate that is not a number is not drawn. Coordinates
-/// beyond +-2^30 pixels, infinite ones too, are clamped to it. Drawing is clipped to the target,
-/// and clipping changes no pixel inside of it.
+/// beyond +-2^30 pixels, infinite ones too, are clamped to this limit. Drawing is clipped to the
+/// target, and clipping changes no pixel inside of it.
 /// Units:   whole coordinates name pixels, (0, 0) the top left one, y down; a colour is a pixel
 ///          word, 0x00RRGGBB.
 /// Lives:   borrows the implementation, which must outlive it.
@@ -164,8 +164,8 @@ public:
     void draw_point(int x, int y, l3d_color color) { imp_.do_draw_point(x, y, color); }
 
     /// Draws a line, both ends included. Each step along the longer axis (x if both are equally
-    /// long) lights the pixel nearest to the ideal line. If two are equally near, it lights the
-    /// upper or left one. Both directions of a line light the same pixels, and clipping only
+    /// long) lights the pixel nearest to the ideal line. If two pixels are equally near, it lights
+    /// the upper or left one. Both directions of a line light the same pixels, and clipping only
     /// removes pixels outside of the target.
     void draw_line(int x0, int y0, int x1, int y1, l3d_color color) {
         imp_.do_draw_line(x0, y0, x1, y1, color);
@@ -240,7 +240,7 @@ public:
     /// within l3d_flat_enough, and coverage times alpha is rounded to a multiple of 1/255. So the
     /// coverage of a path of lines is within 1/510, up to the rounding of doubles. Positions are
     /// not rounded to a lattice. Nothing is drawn if a coordinate is not a number; coordinates
-    /// beyond +-2^30 are clamped to it.
+    /// beyond +-2^30 are clamped to this limit.
     ///
     /// In a picture without background, colours are weighted by their coverage. In linear light,
     /// the rounded coverage moves the light of each channel, and the level nearest to the result is

@@ -152,7 +152,7 @@ struct L3D_PUBLIC l3d_inspection {
 };
 
 /// The pixel word of a number on a shade's colour scale, which goes from -scale to scale. Numbers
-/// beyond an end get its colour; NaN gives grey.
+/// beyond an end of the scale get the colour of this end; NaN gives grey.
 /// Expects: `gaussian`, `mean` or `draft`; a positive scale.
 L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale);
 

@@ -66,8 +66,8 @@ struct L3D_PUBLIC l3d_shading {
 
     l3d_lighting lighting{}; ///< the colours of lights, and the lights besides `light`
 
-    /// The ray from the eye to a place, as `ray`, but also set if normals are turned to the eye
-    /// already.
+    /// The same rays as `ray`, `ray_right` and `ray_down`. They are set in every frame, also if
+    /// normals are turned to the eye already.
     std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
 
     /// The eye, in world space. A pixel shows the place eye + aside + distance / look_depth * look.
@@ -190,7 +190,8 @@ public:
     l3d_surface_rasterizer& operator=(const l3d_surface_rasterizer&) = delete;
     virtual ~l3d_surface_rasterizer() = default;
 
-    /// Describes in one line what fills, for reports; empty if the processors fill.
+    /// Describes in one line, for reports, the library that fills, such as GL; empty if l3d itself
+    /// fills.
     std::string describe() const { return do_describe(); }
 
     /// Whether this rasterizer draws mode l3d_shade::levels.
@@ -229,8 +230,8 @@ public:
     static constexpr std::size_t most_materials = std::size_t{1} << 24;
 
     /// Sets whether frames that are begun later count covered pixels; at first they do. Counting
-    /// takes some 2 % of a frame. With GL, `samples` and `written` are counted only if wanted, too:
-    /// each takes drawing everything once more.
+    /// takes some 2 % of a frame. With GL, `samples` and `written` are counted only if wanted, too,
+    /// as each of these two counts needs everything drawn once more.
     void count_pixels(bool wanted) { counting_wanted_ = wanted; }
 
     /// Sets whether frames that are begun later leave a depth everywhere, 0 where nothing is drawn;

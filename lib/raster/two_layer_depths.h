@@ -25,7 +25,7 @@ struct l3d_sheet_patch {
         return instance == other.instance && patch == other.patch;
     }
 
-    /// Whether both are neighbours, or the same patch.
+    /// Whether this patch and the other one are neighbours, or are the same patch.
     bool meets(const l3d_sheet_patch& other) const;
 };
 

@@ -55,7 +55,7 @@ public:
     /// Adds a chord. Expects: finite ends; the depth has the same size for all chords of a line.
     void add(const line& of, const depth_point& from, const depth_point& to);
 
-    /// Paints the line with the shading's fog, and forgets it.
+    /// Paints the pixels of all added chords, with the shading's fog, and removes the chords.
     void paint(const l3d_pixels& target, std::uint32_t color, const l3d_shading& shading);
 
 private:

@@ -243,9 +243,10 @@ void l3d_workers::run(int items, item_call call, void* context) {
     threads_->run(std::cref(take_items));
 }
 
-/// Gives each worker a range of its own, from whose outer end it takes items. When its range is
-/// empty, it takes items of other workers' ranges, its neighbours' first. It takes them from the
-/// end at which the owner does not.
+/// Gives each worker a range of its own. The worker takes items from the range's outer end, which
+/// is farther from the middle of all items. When the range is empty, the worker takes items of
+/// other workers' ranges, its next neighbour's first. It takes these items from the ranges' inner
+/// ends, as the owners take from the outer ends.
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);

@@ -50,8 +50,8 @@ public:
 class L3D_PUBLIC l3d_workers {
 public:
     /// Starts threads, until there are `threads` including the caller's. With 1, the caller does
-    /// all work, in order. If the system refuses some, there are fewer: count() and take_shortage()
-    /// tell.
+    /// all work, in order. If the system refuses some threads, there are fewer; count() and
+    /// take_shortage() tell how many.
     /// Errors:  l3d_error with l3d_threads_complaint, if there is a complaint; std::bad_alloc.
     explicit l3d_workers(int threads);
     l3d_workers(const l3d_workers&) = delete;
@@ -61,8 +61,8 @@ public:
     /// The number of threads, the caller's included.
     int count() const { return count_; }
 
-    /// A line on missing threads, given once: how many there are, how many were asked for, and the
-    /// system's reason. "" if none is missing.
+    /// A line of text about missing threads: how many threads there are, how many were asked for,
+    /// and the system's reason. The result is "" in later calls, and if no thread is missing.
     std::string take_shortage() { return std::exchange(shortage_, {}); }
 
     /// Sets a question that the caller's thread asks while it works, some fifty times a second.
@@ -89,9 +89,9 @@ public:
     }
 
     /// Calls work as for_each does, but in no fixed order, for items whose neighbours use the same
-    /// memory. Each worker begins at its own place in the row of items and continues next to it. So
-    /// in repeated calls most items meet the same worker, and find their memory in its core's
-    /// caches.
+    /// memory. Each worker begins at its own place in the row of items, and goes on to the items
+    /// beside this place. So in repeated calls most items meet the same worker, and find their
+    /// memory in the caches of this worker's core.
     template <std::invocable<int, int> Work> void for_each_beside(int items, Work&& work) {
         run_beside(items, call_of<Work>, context_of(work));
     }

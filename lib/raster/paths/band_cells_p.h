@@ -19,9 +19,10 @@ namespace l3d_detail {
 /// Finds the covered area of each pixel in a band of rows.
 ///
 /// Each edge adds its signed area to the pixels that it passes. In a pixel, the sum of these areas
-/// is the integral of the winding number. If only one outline passes a pixel, and once, the winding
-/// number has two consecutive values there, so the integral tells the area. Some of the other
-/// pixels are surely covered, as the sum is large; the rest go to pixel_area.
+/// is the integral of the winding number. If a single outline passes a pixel once, the winding
+/// number has two consecutive values in the pixel, so the integral tells the area. A pixel that
+/// outlines pass more often is surely covered if the sum is large. Otherwise pixel_area finds its
+/// area.
 /// Cost:    linear in the pixels that edges pass, and in the band's pixels, an eighth of an
 ///          operation each. Allocates when a band is larger, or has more edges, than ever before.
 class band_cells {
@@ -49,9 +50,9 @@ public:
 private:
     /// The number of pixels whose values of coverage are found together.
     static constexpr std::size_t group = 8;
-    /// The sums over all edges in a pixel. `cover` is the integral, along the pixel's right side,
-    /// of the winding number that they add; `area` is the integral over the pixel. `visits` counts
-    /// how often outlines pass.
+    /// The sums over all edges in a pixel. The edges add to the winding number. `cover` is the
+    /// integral of the added number along the pixel's right side, and `area` its integral over the
+    /// pixel. `visits` counts how often outlines pass the pixel.
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;

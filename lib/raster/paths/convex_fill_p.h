@@ -22,9 +22,10 @@ struct side_block {
     static constexpr std::size_t most_corners = 24;
     using lanes = std::array<double, rows>;
 
-    /// In each row, x at the row's top, or where the chain begins.
+    /// In each row, the chain's x at the row's top, or at the chain's beginning if this is in the
+    /// row.
     alignas(64) lanes enters;
-    /// In each row, x at the row's bottom, or where the chain ends.
+    /// In each row, the chain's x at the row's bottom, or at the chain's end if this is in the row.
     lanes leaves;
     /// In each row, the number of corners between `enters` and `leaves`.
     lanes corners;
@@ -32,10 +33,11 @@ struct side_block {
     std::array<lanes, most_corners> x, y;
     /// The first corner of each row, in memory.
     std::array<const l3d_point_2d*, rows> first;
-    /// The limit of corners in a row for the lanes. Rows with more are left to slower code, as all
-    /// lanes wait for the one with the most corners.
+    /// The limit of corners in a row that is filled in lanes. Rows with more corners are left to
+    /// slower code, as all lanes wait for the lane with the most corners.
     double few_corners;
-    /// If `straight`, the edge that is the chain in all rows; then the lanes above have no meaning.
+    /// If `straight` is true, the chain is this edge in all rows, and the members above have no
+    /// meaning.
     straight_edge edge;
     bool straight;
 };
@@ -46,8 +48,8 @@ public:
     /// Begins at the top of a chain. Expects: the chain has not entered a row yet.
     side_walk(const chain& of, const l3d_point_2d* corners);
 
-    /// The heights at which the chain begins and ends. Horizontal edges at its ends are left out,
-    /// as they bound no area.
+    /// The heights at which the chain begins and ends. Horizontal edges at the chain's ends are
+    /// left out, as they bound no area.
     double begin() const { return begin_; }
     double end() const { return (behind_ - step_)->y; }
 

@@ -65,10 +65,11 @@ private:
 ///
 /// In a step with differences d1, d2, d3, a coordinate changes at most by |d1| + |d2| / 2 + |d3| /
 /// 3, the bound of its derivative. The step is halved until this change is at most one pixel. It is
-/// doubled as soon as a double step would do.
+/// doubled as soon as the change in a double step is at most one pixel, too.
 /// Units:   pixels from `origin`, which keeps numbers, and so rounding errors, small.
-/// Expects: 512 equal steps, or fewer, would do, so that at most 1024 are made. Then rounding
-///          errors are below 2^-20 pixel; NUMERICS.md, section 20.
+/// Expects: a curve that 512 or fewer equal steps divide into changes of at most one pixel. Then at
+///          most 1024 steps are made, and rounding errors are below 2^-20 pixel; NUMERICS.md,
+///          section 20.
 class adaptive_walk {
 public:
     explicit adaptive_walk(const l3d_curve_2d& curve)

@@ -178,8 +178,8 @@ l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     return sum;
 }
 
-/// The place in the gradient of a point, and its change from pixel to pixel. Along a ray d from the
-/// focus f to the unit circle, the place is 1 / s with |f + s d| = 1.
+/// A point's place in the gradient, and the change of this place from pixel to pixel. Along a ray d
+/// from the focus f to the unit circle, the place is 1 / s with |f + s d| = 1.
 l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     const l3d_point_2d unit = to_unit_.at(at), &across = to_unit_.across, &down = to_unit_.down;
     if (!radial_)

@@ -30,8 +30,8 @@ enum class L3D_PUBLIC l3d_spread {
 /// Colours that change along a line, or from a place outwards.
 ///
 /// Red, green, blue and alpha are each linear between two stops, in the coded values of pixel
-/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. It
-/// gets this mean also where stops jump or a gradient repeats within the pixel.
+/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. The
+/// pixel gets this mean also where stops jump or a gradient repeats within it.
 ///
 /// A linear gradient is exact. A radial one is taken as linear in each of up to 32 x 32 parts of
 /// the square. So a place where stops jump moves by less than 1/512 pixel, if it is more than 1/8
@@ -54,14 +54,14 @@ public:
         return radial(center, radius, center, stops, spread);
     }
     /// Makes a gradient from a focus to a circle: along each ray, the gradient goes from 0 at the
-    /// focus to 1 on the circle. A focus that is not inside of the circle is moved into it, to 1 -
-    /// 2^-10 of the radius.
+    /// focus to 1 on the circle. A focus that is not inside of the circle is moved into it: its
+    /// distance from the centre becomes 1 - 2^-10 of the radius.
     /// Expects: stops in order, at least one; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius, l3d_point_2d focus,
                                std::span<const l3d_color_stop> stops,
                                l3d_spread spread = l3d_spread::pad);
 
-    /// This gradient after the plane is turned, stretched or moved.
+    /// The gradient that results if `place` maps every point of this gradient.
     /// Expects: a placement that maps no area to 0.
     l3d_gradient placed(const l3d_placement_2d& place) const;
 

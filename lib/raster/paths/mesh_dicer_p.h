@@ -71,7 +71,8 @@ struct mesh_strip {
 /// Dices the patches of a mesh so that neighbours meet without cracks.
 ///
 /// The points of a border depend only on its four control points and its steps, and not on its
-/// direction. For this, i / n and (n - i) / n are both rounded once, and terms are added in pairs.
+/// direction. For this, the parameters i / n and (n - i) / n are each rounded once, and terms are
+/// added in pairs.
 /// Lives:   no longer than the patches.
 class mesh_dicer {
 public:
@@ -82,8 +83,9 @@ public:
     const mesh_knots& along() const { return along_; }
     const mesh_knots& down() const { return down_; }
 
-    /// Calls shade(mesh_strip) for the strips of each patch with finite numbers. By the order of
-    /// the PDF standard, larger v come later and cover earlier ones; at equal v, larger u do.
+    /// Calls shade(mesh_strip) for the strips of each patch with finite numbers. The order is that
+    /// of the PDF standard: larger v come later and cover smaller v. At equal v, larger u come
+    /// later and cover smaller u.
     template <class Shade> void visit(const Shade& shade) {
         for (std::size_t i = 0; i < patches_.size(); ++i) {
             if (!is_finite(patches_[i]))

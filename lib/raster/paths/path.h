@@ -60,7 +60,7 @@ public:
     void rational_to(const std::array<l3d_point_2d, 3>& points,
                      const std::array<double, 3>& weights);
     /// Adds an arc of an ellipse, after a straight line to the arc's beginning. If no outline is
-    /// open, one begins there instead.
+    /// open, an outline begins there, without this line.
     ///
     /// The arc's points are center + R(turn) (radii.x cos a, radii.y sin a), for a from begin to
     /// begin + sweep. The arc is exact: a rational curve for each quarter or less.
@@ -90,9 +90,9 @@ public:
     bool is_number() const;
 
     /// Calls visit.move(point), visit.line(point), visit.curve(l3d_curve_2d) and visit.close() for
-    /// the pieces in order. Coordinates beyond +-2^30 are clamped to it. If the visitor has a
-    /// function lines(std::span<const l3d_point_2d>), that function gets the ends of many lines at
-    /// once.
+    /// the pieces in order. Coordinates beyond +-2^30 are clamped to this limit. If the visitor has
+    /// a function lines(std::span<const l3d_point_2d>), that function gets the ends of many lines
+    /// at once.
     template <class Visitor> void visit(Visitor& visitor) const;
 
 private:

@@ -139,7 +139,7 @@ public:
     /// Sorts outlines by their tops.
     void sort();
     /// Finds the outlines whose boxes meet no other outline's box, and sets their `apart`. It
-    /// searches only if an outline of two chains may be among these. Expects: sorted.
+    /// searches only if one of these may be an outline of two chains. Expects: sorted.
     void find_apart();
 
 private:

@@ -30,8 +30,8 @@ struct edge_record {
 
     l3d_point_2d from, to;
     std::uint32_t before; ///< index of the record before this one in the pixel's list; 0 for none
-    /// The edge's index above mark_bits, its cell_begin, and leaves_left if the edge leaves the
-    /// pixel by its left side.
+    /// The edge's index, above mark_bits lower bits. The lower bits hold the edge's cell_begin, and
+    /// leaves_left if the edge leaves the pixel by its left side.
     std::uint32_t edge;
 
     std::uint32_t index() const { return edge >> mark_bits; }
@@ -40,8 +40,8 @@ struct edge_record {
 /// Some edges of a pixel, one in each lane.
 ///
 /// The winding number must not change where an edge meets the pixel's left side. So an edge whose
-/// upper end lies on that side goes on upwards along it, and one whose lower end does goes on
-/// downwards. A horizontal edge counts only by this part along the left side.
+/// upper end lies on that side goes on upwards along it, and an edge whose lower end lies on it
+/// goes on downwards. A horizontal edge counts only by this part along the left side.
 /// Units:   x and y from 0 to 1, from the pixel's top left corner.
 struct alignas(64) edge_block {
     static constexpr std::size_t size = 8;
@@ -53,7 +53,8 @@ struct alignas(64) edge_block {
     /// 1 for an edge that leads upwards, which adds 1 to the winding on its right; else -1. A
     /// horizontal edge apart from the left side has 0.
     numbers turns;
-    /// As `turns`, if the edge's upper or lower end is on the pixel's left side; else 0.
+    /// As `turns` if the edge's upper end (for down_left: its lower end) is on the pixel's left
+    /// side, else 0.
     numbers up_left, down_left;
     numbers adds;        ///< the edge's part of the integral of the winding number over the pixel
     numbers top, bottom; ///< the heights between which the edge may be a border of the inside

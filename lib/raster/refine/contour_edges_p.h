@@ -27,7 +27,8 @@ struct contour_edge {
 /// Around a vertex, polygons that turn to the right fill the same angle as those that turn to the
 /// left. So polygons of both kinds end at such an edge. A surface has no other outlines than these
 /// edges and its borders.
-/// Lives: one for each worker, kept for its memory.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory.
 class contour_edges {
 public:
     /// Finds the edges of an item's quads that may reach pixel rows [top, bottom). Edges at the

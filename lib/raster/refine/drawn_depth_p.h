@@ -44,8 +44,8 @@ public:
     }
 
     /// Whether a pixel and all its neighbours show surfaces at least as near as `inv_w`. The
-    /// neighbour (x + to_x, y + to_y) is tested first: choose a neighbour that likely shows no such
-    /// surface.
+    /// neighbour (x + to_x, y + to_y) is tested first: choose a neighbour that likely shows a
+    /// farther surface or none.
     /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
     bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
                std::int32_t to_y) const {

@@ -33,7 +33,8 @@ struct marked_pixel {
 ///
 /// Shape: rows of tiles of 8 x 8 pixels. A tile has a bit for each pixel: bit 8 row + column.
 ///        Pixels are listed tile by tile, and in each tile in the order of bits.
-/// Lives: one for each worker, kept for its memory.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory.
 class marked_pixels {
 public:
     static constexpr std::int32_t side = 8;
@@ -43,8 +44,8 @@ public:
         std::uint32_t first = 0; ///< the index of the tile's first marked pixel in pixels()
     };
 
-    /// Starts a band. If its first rows of tiles have at least `most` marked pixels, only these
-    /// rows are taken.
+    /// Starts a band. It takes rows of tiles from the band's top on, until the number of marked
+    /// pixels reaches `most`.
     /// Expects: the band begins at a tile.
     void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band,
                std::size_t most);

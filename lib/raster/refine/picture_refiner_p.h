@@ -39,7 +39,7 @@ struct drawn_frame {
 /// The pixels of a band depend on the items of the frame, and on the unrefined levels and depths
 /// around the pixels. So refined pixels depend neither on the division into bands nor on the number
 /// of workers.
-/// Lives: kept for its memory.
+/// Lives: keep the object from frame to frame, since it keeps its memory.
 class picture_refiner {
 public:
     /// Refines the picture of a frame, and returns the number of refined pixels.
@@ -66,8 +66,8 @@ private:
 };
 
 /// Writes the pixel words of a band's marked pixels. A word is the mean light of the polygons'
-/// visible parts, each part taken in its middle and weighted by its number of samples. `has_color`
-/// tells whether polygons have the colours of materials.
+/// visible parts. The light of a part is that in its middle, weighted by the part's number of
+/// samples. `has_color` tells whether polygons have the colours of materials.
 void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   std::span<const l3d_material> materials, bool has_color,
                   const l3d_pixels& target);

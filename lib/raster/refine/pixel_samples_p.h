@@ -126,13 +126,14 @@ struct seen_in_pixels {
     static constexpr std::size_t most = 4; ///< the largest number of pixels
 
     std::array<seen_fragment, most * sample_places::count> fragments;
-    /// Index of each pixel's first fragment, and the end of the last pixel's.
+    /// For each pixel, the index of its first fragment; then the index behind the last pixel's
+    /// fragments.
     std::array<std::size_t, most + 1> begins;
 };
 
-/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels. The
-/// polygon whose plane of depth is the nearest there is seen; among equals, the polygon that was
-/// added first.
+/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels. At a
+/// sample, the polygon whose plane of depth is the nearest is seen; among equally near polygons,
+/// the one that was added first is seen.
 void see_samples(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
                  std::span<const marked_pixel> pixels, seen_in_pixels& to);
 

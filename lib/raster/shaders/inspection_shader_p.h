@@ -30,7 +30,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v);
 
-/// The common part of shaders that evaluate exact patches. From the vertices, such shaders take
+/// The common part of shaders that evaluate exact patches. From the vertices, these shaders take
 /// only a guess of a pixel's parameters.
 class patch_shader {
 public:
@@ -75,7 +75,7 @@ protected:
     std::int64_t unsolved_ = 0;
 
 private:
-    /// Bounds of the parameters at the polygon's corners.
+    /// The least and the largest parameters at the polygon's corners.
     std::array<float, components> least_{}, most_{};
 };
 

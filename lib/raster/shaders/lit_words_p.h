@@ -24,12 +24,13 @@ struct lit_pixels {
     std::ptrdiff_t depth_pitch;
     std::int32_t left, top; ///< column and row of the rectangle's first pixel in the picture
     std::int32_t width, height;
-    /// The colours of the pixels of a rectangle with a single row, if materials do not tell these
-    /// colours; else null.
+    /// A colour for each pixel, in place of the materials' colours; null: the materials' colours
+    /// are used. Expects: null, or a rectangle with a single row.
     const std::uint32_t* colors = nullptr;
 };
 
-/// Lights the pixels of a frame whose normals were kept in words. Lives: kept for its memory.
+/// Lights the pixels of a frame whose normals were kept in words. Lives: keep the object from frame
+/// to frame, since it keeps its memory.
 class lit_words {
 public:
     /// Sets the shading and the materials of a frame.

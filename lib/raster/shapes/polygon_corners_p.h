@@ -33,8 +33,8 @@ public:
     /// Whether the corners go round clockwise, as seen on the screen with y down.
     bool clockwise() const { return clockwise_; }
 
-    /// Whether near() gives the corners. It does if all corners are within scan_limit, where
-    /// scanning is fastest.
+    /// Whether near() gives the corners, as far() always does. near() gives them if all corners are
+    /// within scan_limit, where scanning is fastest.
     bool all_near() const { return all_near_; }
     std::span<const scan_point> near() const { return near_; }
     std::span<const far_point> far() const { return far_; }

@@ -110,8 +110,8 @@ void open(tile_table& table, const l3d_pixel_box& box, const fill_band& band) {
     }
 }
 
-/// Calls visit(pixels) for every run of tiles side by side that have been drawn to. If `drawn` is
-/// false, it takes the tiles that have not.
+/// Calls visit(pixels) for every run of neighbouring tiles in a row into which something was drawn,
+/// or, if `drawn` is false, into which nothing was drawn.
 template <class Visit>
 void visit_runs(const tile_table& table, const fill_band& band, bool drawn, const Visit& visit) {
     const l3d_pixel_box tiles = tiles_of(band);

@@ -27,8 +27,8 @@ public:
             grey_[i] = load_float(queue.corner[i][3] + at);
     }
 
-    /// Tells which polygons the lanes do not take: only those that are unfit already, as any greys
-    /// at corners will do.
+    /// Returns the polygons that the lanes do not take. They are `unfit`, the polygons that are
+    /// unfit already, as lanes can interpolate any greys.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 

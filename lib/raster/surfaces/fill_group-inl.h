@@ -15,15 +15,15 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The limit of the product of the lengths of a polygon's diagonals, relative to their cross
-/// product, which is twice the area. Beyond this limit, the polygon is a sliver.
+/// A polygon is a sliver if the product of its diagonals' lengths is more than this many times
+/// their cross product, which is twice the area.
 constexpr float sliver_ratio = 64;
 
 /// Fills a vector of polygons, one in each lane. set_up() turns their corners into rows of a table;
 /// fill() writes the pixels of these rows.
 ///
 /// Shape: Light is the class that computes the polygons' greys or normals, such as lambert_lanes,
-///        grey_lanes, level_lanes or normal_lanes do.
+///        grey_lanes, level_lanes or normal_lanes.
 template <class Light> class fill_group {
 public:
     /// Sets up a vector of polygons. Returns whether there is anything to fill.

@@ -173,7 +173,8 @@ private:
             fill_enough();
     }
 
-    /// Queues the materials of those of the row's polygons from `i` on whose lanes are live.
+    /// Queues the materials of the row's polygons from `i` on. It takes the polygons whose lanes
+    /// are set in `live`.
     template <class D>
     HWY_NOINLINE void put_materials(D d, const row& from, std::size_t i, hn::Mask<D> live) {
         std::uint32_t* const to = queue_.material + queue_.count;

@@ -145,7 +145,8 @@ struct fill_piece {
 ///        and the inputs of light. These are the vertex's three numbers for lambert and levels,
 ///        otherwise the grey level. Floats are stored by their bits. A triangle has its last corner
 ///        twice.
-/// Lives: one for each worker, kept for its memory. Empty between bands.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory. The queue is empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
     /// The number of polygons that are filled together: a multiple of every vector's width. So
@@ -217,8 +218,8 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);
 
-/// Fills triangles [first, last), with their own materials if they have some, else with this one.
-/// In all other respects it works as fill_quads.
+/// Fills triangles [first, last), with their own materials if they have some, else with `material`.
+/// In all other respects the function works as fill_quads.
 void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
                     std::uint32_t material, std::size_t first, std::size_t last);
 

@@ -35,8 +35,8 @@ public:
         side_dc_ = load_float(queue.corner[3][4] + at);
     }
 
-    /// Adds to the unfit polygons the skewed quads, as a parabola in their parameters is far from a
-    /// parabola in the picture.
+    /// Returns the polygons that the lanes do not take: the unfit ones and the skewed quads. In a
+    /// skewed quad, a parabola in its parameters is far from a parabola in the picture.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask skewed) const {
         return hn::Or(unfit, skewed);
     }
@@ -76,8 +76,8 @@ public:
 private:
     /// The parabola of a quad. Let (y, z) be the place from the corners' mean, in parts of the
     /// diagonals. The parameters along the sides are then y - z and y + z, from -1/2 to 1/2. The
-    /// corners' distance from their plane is weighted by the product of both, and the sides' bends
-    /// by the squares.
+    /// corners' distance from their plane is weighted by the product of both parameters, and the
+    /// sides' bends by the parameters' squares.
     HWY_INLINE mean_parabola quad(const lane_places& at, float_vec mean, float_vec along1,
                                   float_vec along2) {
         const float_vec four = set(4.0f), half = set(0.5f);

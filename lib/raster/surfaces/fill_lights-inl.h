@@ -44,7 +44,7 @@ struct vertex_arrays {
 /// The arrays of the four corners of neighbouring polygons. A triangle has its last corner twice.
 using corner_arrays = std::array<vertex_arrays, 4>;
 
-/// The index of the first polygon's corner, in each of the four corners' arrays.
+/// For each of the four corners, the index of the first polygon's corner in its arrays.
 using corner_places = std::array<std::size_t, 4>;
 
 /// The numbers of the corners' light that the queue takes, in arrays. As many elements of each

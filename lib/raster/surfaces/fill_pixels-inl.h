@@ -254,7 +254,7 @@ private:
         return make_.of_cosines(lit);
     }
 
-    /// Copied from the band, as compilers must assume that stores change the band's members.
+    /// A copy of the band's member, as compilers must assume that stores change the band's members.
     std::uint32_t* words_;
     float* depths_;
     std::uint32_t* normals_;

@@ -125,7 +125,8 @@ struct lane_edge {
 };
 
 /// A linear function over a polygon: base + first s + second t. s and t are whole numbers: the
-/// cross products of the vector from corner a with the polygon's two differences (lane_frame).
+/// cross products of the vector from corner a to the place with the polygon's two differences
+/// (lane_frame).
 struct lane_plane {
     float_vec base, first, second;
 
@@ -250,8 +251,8 @@ HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     return hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f)));
 }
 
-/// Notes the errors of a vector of polygons, as fill_counts does: the largest error up to `most`,
-/// and the number of larger errors.
+/// Notes the errors of a vector of polygons, as fill_counts keeps them: the largest error up to
+/// `most`, and the number of larger errors.
 HWY_INLINE void note_errors(float_vec error, double most, float& largest, std::int64_t& unproven) {
     const floats d;
     const auto tight = hn::Le(error, set(static_cast<float>(most)));

@@ -56,18 +56,18 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 struct fill_row {
     /// The row's first covered column, and its number of covered pixels.
     lane_array<std::int32_t> from, pixels;
-    /// The column at which the first run begins. It is `from`, but at the picture's right edge, or
-    /// without pixels, a column where a run fits.
+    /// The column at which the first run begins. It is `from`, except at the picture's right edge
+    /// and in rows without pixels. There it is a column where a run fits.
     lane_array<std::int32_t> begin;
     lane_array<float> inv_w, lit;
 };
 
-/// A row's further numbers for twisted polygons.
+/// Further numbers of a row of a twisted polygon (fill_shape).
 struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
 
-/// A row's y and z of normals, if `lit` is the x.
+/// Further numbers of a row if its `lit` is the x of normals: the y and z of these normals.
 struct fill_row_normal {
     lane_array<float> y, z;
 };
@@ -83,7 +83,8 @@ struct fill_table {
     /// Indices of column 0 of the polygon's first row, in band.words and band.depths.
     lane_array<std::int32_t> word_at, depth_at;
     lane_array<std::int32_t> height; ///< number of rows; 0 if there is nothing to fill
-    /// Pixels of the longest row; > most_pixels at the picture's right edge.
+    /// The number of pixels in the longest row. At the picture's right edge it is more than
+    /// most_pixels.
     lane_array<std::int32_t> longest;
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;

@@ -62,7 +62,8 @@ struct l3d_surface_rasterizer_sw::work_space {
     coarse_depth coarse;
     material_words materials;
     lit_words lights;
-    /// One plane of a band for each worker, or one plane of the picture.
+    /// The second words of normals: a plane of a band for each worker, or one plane of the whole
+    /// picture.
     std::vector<normal_plane> normals;
     std::vector<band_painter> painters; ///< a painter for each worker
     /// Depths of a band for each worker, if nobody wants depths after the frame.

@@ -35,8 +35,8 @@ struct L3D_PUBLIC l3d_panel_style {
     /// The opacity of the ground, from 0 to 255.
     int ground_coverage = 200;
 
-    /// The coverage of a ground that hides everything, so that text on a slow line stands still
-    /// before moving surfaces.
+    /// The ground_coverage of a ground that hides everything behind it. With a slow connection to
+    /// the screen, text then stands still while surfaces move behind it.
     static constexpr int opaque = 255;
 
     /// The height of letters that suits a picture: a fiftieth of its height, but from 12 to 16
@@ -67,7 +67,7 @@ public:
     /// lines form a column.
     void add(const std::string& key, const std::string& text);
 
-    /// Adds a title: lines that begin at the left, in the column of these words.
+    /// Adds a title: lines that begin at the left, in the column of the words before lines.
     void add_title(const std::string& text);
 
     /// Adds a scale: a bar of colours that pass into each other, with a text under each end.

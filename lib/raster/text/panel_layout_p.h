@@ -46,8 +46,8 @@ public:
     /// fit into `most`, or a word must be broken.
     bool make(int size, int columns, l3d_size most);
 
-    /// Removes the lines from the last layout that do not fit into `most`, and adds three dots in
-    /// their place.
+    /// Removes from the last layout the lines that do not fit into `most`, and adds three dots in
+    /// place of these lines.
     void cut(l3d_size most);
 
     const std::vector<panel_line>& lines() const { return lines_; }

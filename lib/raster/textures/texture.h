@@ -27,8 +27,8 @@ enum class L3D_PUBLIC l3d_texture_filter {
     /// picture itself, and linear interpolation between both. The pixels of the larger copy are not
     /// wider than the part is long; those of the smaller copy are wider.
     trilinear,
-    /// The mean of up to 16 trilinear colours along the part. Each takes copies whose pixels are as
-    /// wide as the part is narrow.
+    /// The mean of up to 16 trilinear colours along the part. Each of these colours comes from
+    /// copies whose pixels are about as wide as the part's narrow side.
     anisotropic
 };
 

@@ -32,8 +32,9 @@ struct texture_view {
     static constexpr int pitch(int width) { return width + 2; }
 };
 
-/// Moves a place in a repeated picture to within two pictures from 0, where the picture looks the
-/// same. Near 0, floats can hold fractions of the picture's pixels.
+/// Moves a place in a repeated or mirrored picture by whole periods, to a place from 0 to 2. The
+/// picture looks the same at the new place. Near 0, floats can hold fractions of the picture's
+/// pixels.
 inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     if (wrap == l3d_texture_wrap::clamp)
         return place;
@@ -120,8 +121,8 @@ struct named_pixels {
 void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
                 named_pixels& to);
 
-/// Replaces words by colours where depths are not 0. The lowest byte of a word is the grey level
-/// that the pixel's colour in `colors` is multiplied by, by the rule of l3d_material.
+/// Replaces words by colours where depths are not 0. The lowest byte of a word is a grey level. The
+/// rule of l3d_material combines this level and the pixel's colour in `colors`.
 void color_levels(std::uint32_t* words, const float* depths, const std::uint32_t* colors,
                   std::size_t count);
 
