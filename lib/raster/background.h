@@ -20,8 +20,8 @@ inline std::uint32_t l3d_transparency_of(float share) {
     return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
 }
 
-/// The background of a picture: one colour, two that pass into each other from top to bottom, or
-/// none. By default it is black.
+/// The background of a picture: one colour, two colours that pass into each other from top to
+/// bottom, or nothing. By default it is black.
 ///
 /// Each row has one colour. So a pixel's background is the same whether a frame draws the whole
 /// picture or a part of it.
@@ -44,8 +44,8 @@ struct L3D_PUBLIC l3d_background {
     /// Whether red, green and blue are equal in each row.
     constexpr bool is_grey() const { return is_grey(top) && is_grey(bottom); }
 
-    /// The pixel word of a row in a picture of this height. Each channel changes linearly from the
-    /// first to the last row, and is rounded to the nearest level.
+    /// The background's pixel word in a row, if the picture has this height. Each channel changes
+    /// linearly from the first to the last row, and is rounded to the nearest level.
     /// Expects: 0 <= row < height.
     constexpr std::uint32_t word(int row, int height) const {
         if (top == bottom)
@@ -78,7 +78,7 @@ private:
 
 /// Fog, or depth cueing if its colour is black. Surfaces nearer than `from` look as without fog;
 /// surfaces at `to` and beyond have the fog's colour. Between these distances, fog grows linearly.
-/// By default there is none.
+/// By default there is no fog.
 ///
 /// Units: distances along the view axis, in world units.
 struct L3D_PUBLIC l3d_fog {
@@ -105,7 +105,7 @@ struct L3D_PUBLIC l3d_fog {
                l3d_screen_info::light_native(fog, amount);
     }
 
-    /// The fog's colour in a row of a picture of this height.
+    /// The fog's colour in a row, if the picture has this height.
     std::uint32_t in_row(const l3d_background& background, int row, int height) const {
         return color ? *color : background.word(row, height);
     }

@@ -68,8 +68,8 @@ public:
     /// Copies the depth to memory. GL keeps it as inv_w * depth_scale. Expects: with_depth.
     void download(l3d_depth_buffer& depth);
 
-    /// The factor between inv_w and GL's depth. As a power of two it loses no bits. It puts every
-    /// inv_w from 2^-94 to 2^32 into [0, 1], the range of GL's depth.
+    /// The factor between inv_w and GL's depth. As the factor is a power of two, it loses no bits.
+    /// It takes every inv_w from 2^-94 to 2^32 to [0, 1], the range of GL's depth.
     static constexpr float depth_scale = 1.0f / 65536.0f / 65536.0f;
 
 private:

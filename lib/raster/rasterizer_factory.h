@@ -56,8 +56,8 @@ enum class L3D_PUBLIC l3d_edges {
     smooth ///< as draw_path and draw_line_antialiased draw them, whichever function is called
 };
 
-/// Makes rasterizers that use the processors. They serve every screen, as every screen has pixels
-/// in memory.
+/// Makes rasterizers that draw by the CPU into pixels in memory. They serve every screen, as every
+/// screen has pixels in memory.
 class L3D_PUBLIC l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
 public:
     /// Makes a factory whose two-dimensional rasterizers draw these edges.

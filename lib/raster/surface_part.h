@@ -112,7 +112,8 @@ struct L3D_PUBLIC l3d_micro_grid {
 /// Shape: blocks of 16 triangles. In a block, each component of each corner is an array, so that
 ///        triangles can be set up side by side in SIMD lanes. A block is 18 cache lines in a row,
 ///        mostly in one page of memory, which suits walks from block to block in any order.
-/// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
+/// Cost:  clear keeps the memory; add allocates only when there are more triangles than ever
+///        before.
 struct L3D_PUBLIC l3d_micro_triangles {
     static constexpr std::size_t lanes = 16; ///< the number of triangles in a block
 
@@ -247,7 +248,7 @@ struct L3D_PUBLIC l3d_border_edge {
     float from_inv_w = 0;
     /// The inv_w at which the line ends.
     float to_inv_w = 0;
-    /// The level of the light beside the line in mode l3d_shade::levels; NaN in other modes.
+    /// In mode l3d_shade::levels, the level of the light beside the line; in other modes, NaN.
     float level = 0;
     /// The grid's row of the quad beside the line; 0 for a triangle's side.
     int row = 0;

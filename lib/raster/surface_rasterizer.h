@@ -87,13 +87,13 @@ struct L3D_PUBLIC l3d_shading {
     const l3d_own_shade* own = nullptr;
 
     /// Triangles that have colours of their own; borrowed until the frame's finish. Parts refer to
-    /// them by numbers of materials.
+    /// these triangles by numbers of materials.
     /// Expects: null for a mode that does not show light.
     const l3d_face_paints* paints = nullptr;
 
-    /// Whether pixels of these materials need more than a grey level. They do if the lights are not
-    /// the usual ones, or a material has highlights. Modes that do not show light never do. Modes
-    /// `gouraud` and `levels` are then drawn as `lambert`.
+    /// Whether pixels of these materials need more than a grey level. They need more if the lights
+    /// are not the usual lights, or if a material has highlights. In modes that do not show light,
+    /// they never need more. Modes `gouraud` and `levels` are then drawn as `lambert`.
     bool is_lit(std::span<const l3d_material> materials) const {
         return l3d_is_light(mode) &&
                !(lighting.is_usual() && std::ranges::all_of(materials, [](const l3d_material& m) {
@@ -102,8 +102,8 @@ struct L3D_PUBLIC l3d_shading {
     }
 
     /// The distance in x and y, in pixels, within which other pixels can change a pixel. With
-    /// anti-aliasing, a jump of level towards a neighbour is found from this neighbour and the next
-    /// one.
+    /// anti-aliasing, a jump of level towards a neighbour is found from this neighbour and the
+    /// pixel behind it.
     int reach() const { return antialias ? 2 : 0; }
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
@@ -218,8 +218,8 @@ public:
     }
 
     /// Sets the materials of frames that are begun later. Parts name a material by its index in
-    /// `materials`. At first, and if there are none, all surfaces are white. Shades that do not
-    /// show light ignore them.
+    /// `materials`. At first, and if there are no materials, all surfaces are white. Shades that do
+    /// not show light ignore materials.
     /// Expects: at most most_materials, including those that the shading's paints name; parts name
     ///          none beyond the last.
     /// Lives:   until the frame's finish; the next frame needs the call again.
@@ -238,8 +238,8 @@ public:
     /// at first they do. If not wanted, depth has no meaning after the frame.
     void leave_depth(bool wanted) { depth_wanted_ = wanted; }
 
-    /// Whether begin_part may be called. It may not if the picture is kept outside of memory, as by
-    /// GL, and is copied as a whole.
+    /// Whether begin_part may be called. A rasterizer does not allow it if it keeps the picture
+    /// outside of memory, as with GL, and copies the whole picture.
     bool draws_parts() const { return do_draws_parts(); }
 
     /// Starts a frame that draws a part of a picture again and leaves the rest as it is.
@@ -254,7 +254,7 @@ public:
         do_begin_part(target, depth, shading, part);
     }
 
-    /// Fills the quads and triangles of the parts. A convex quad is one polygon, a folded one is
+    /// Fills the quads and triangles of the parts. A convex quad is one polygon, a folded quad is
     /// four triangles around its projective centre. Drawing is fastest if the nearest parts come
     /// first.
     /// Expects: called once a frame if there is no depth buffer.
@@ -271,7 +271,7 @@ public:
     }
 
     /// Completes the frame: afterwards, the target's pixels and the depth buffer hold everything
-    /// drawn. Call it before anybody else reads or writes them.
+    /// drawn. Call finish() before anybody else reads or writes the pixels or depths.
     void finish() { do_finish(); }
 
     /// Counts of the drawing between begin and the last finish.

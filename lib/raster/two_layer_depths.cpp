@@ -12,8 +12,8 @@ namespace {
 using namespace l3d_detail;
 
 /// The thickness below which a polygon counts as a slit, as its slope says nothing about the
-/// surface. Slopes are limited so that depth changes over this length by at most the polygon's
-/// whole range. Units: pixels.
+/// surface. Slopes are limited: over this length, depth changes by at most the difference of the
+/// polygon's largest and least depth. Units: pixels.
 constexpr double thinnest = 0.25;
 
 /// The rounding of 1 / w. The division, the scale, the means of corners and the pixel's own value

@@ -46,7 +46,7 @@ public:
 
     void add(const l3d_surface_part& part, const l3d_sheet_patch& of);
 
-    /// 1 / w of the nearest sheet, and 0 where there is none. Units: as l3d_micro_vertex.
+    /// 1 / w of the nearest sheet, and 0 where there is no sheet. Units: as l3d_micro_vertex.
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
     /// The least error of surfaces, in the picture or along their normals, with which another sheet

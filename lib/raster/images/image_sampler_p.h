@@ -20,9 +20,9 @@ class image_sampler {
 public:
     image_sampler(const l3d_placed_image& image, const color_mixer& mixer);
 
-    /// The part of the picture that the image may reach. It is the image's outline, or for
-    /// l3d_image_filter::nearest an axis-aligned box of whole pixels around this outline. It is
-    /// empty if nothing is to be drawn.
+    /// The part of the picture that the image may reach. This part is the image's outline, or for
+    /// l3d_image_filter::nearest an axis-aligned box of whole pixels around this outline. The path
+    /// is empty if nothing is to be drawn.
     l3d_path reach() const;
 
     /// Whether the image is only moved by whole pixels. If so, moved_x() and moved_y() tell how far

@@ -78,8 +78,8 @@ private:
     static constexpr int fraction_bits = 40;
     static constexpr std::int64_t one = std::int64_t{1} << fraction_bits;
 
-    /// Entry `length` is floor(2^40 / length), for short lines. Entry 0 is 0, as a line of length 0
-    /// has one pixel.
+    /// A table for short lines, by their lengths: entry `length` is floor(2^40 / length). Entry 0
+    /// is 0, as a line of length 0 has one pixel.
     static constexpr auto units = [] {
         std::array<std::int64_t, short_length> result{};
         for (std::size_t length = 1; length < result.size(); ++length)

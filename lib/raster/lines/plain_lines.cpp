@@ -10,12 +10,12 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The number of pixels that are lit without a branch between them.
+/// The number of pixels in a block. Pixels of a block are lit without a branch between them.
 constexpr int block = 4;
 
-/// The number of pixels by which prefetching is ahead. Each pixel of a steep line is in a row of
-/// its own, and so in a cache line of its own. Lines shorter than fewest_for_ahead lose more by
-/// prefetching than they gain.
+/// The number of pixels between the pixel that is lit and the pixel whose memory is prefetched.
+/// Each pixel of a steep line is in a row of its own, and so in a cache line of its own. Lines
+/// shorter than fewest_for_ahead lose more by prefetching than they gain.
 constexpr int pixels_ahead = 4;
 constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 

@@ -31,7 +31,8 @@ public:
             std::sort(places_.begin(), places_.end());
     }
 
-    /// The number, in the order of add(), of the i-th thing from the top.
+    /// The thing that is i-th from the top. The result is its number in the order of the calls of
+    /// add().
     std::size_t operator[](int i) const { return places_[static_cast<std::size_t>(i)].index; }
 
 private:

@@ -31,8 +31,8 @@ class alignas(128) item_range {
 public:
     void set(int begin, int end) { ends_.store(packed(begin, end), std::memory_order_relaxed); }
 
-    /// Takes the range's first item, or its last one if `first` is false. Returns none if all are
-    /// taken.
+    /// Takes the range's first item, or its last item if `first` is false. Returns nothing if all
+    /// items are taken.
     std::optional<int> take(bool first) {
         std::uint64_t ends = ends_.load(std::memory_order_relaxed);
         for (;;) {
@@ -113,8 +113,8 @@ struct l3d_workers::threads {
             std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// Size of a thread's stack. It is larger than needed without sanitizers, since these make
-    /// larger stack frames. Only touched pages take memory.
+    /// Size of a thread's stack. It is larger than programs without sanitizers need, since
+    /// sanitizers make larger stack frames. Only touched pages take memory.
     static constexpr std::size_t stack_bytes = 8 * l3d_stack_bytes;
 
     struct member {

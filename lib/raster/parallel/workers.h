@@ -15,8 +15,8 @@
 #include <type_traits>
 #include <utility>
 
-/// The limit of threads that draw together. Machines have fewer processors than this, and each
-/// thread takes memory of its own.
+/// The limit of threads that draw together. Machines have fewer processors than this limit, and
+/// each thread takes memory of its own.
 inline constexpr int l3d_most_threads = 1024;
 
 /// The size of a stack that suffices for every thread that draws, however large or fine the drawing

@@ -39,7 +39,7 @@ public:
     void begin_band(std::int32_t top, std::int32_t bottom);
 
     /// Adds the edges of an outline from corner to corner, as far as they reach into the band.
-    /// `all` is the array of all corners, `blocks` that of all blocks.
+    /// `all` is the array of all outlines' corners, and `blocks` the array of all outlines' blocks.
     /// Expects: `all` stays until write() has returned.
     void add(const path_chains::outline& outline, const l3d_point_2d* all,
              const path_chains::block* blocks);

@@ -53,7 +53,7 @@ struct window_ends {
     }
 };
 
-/// The number of columns with a value each that take as long to draw as one more span.
+/// A span costs as much as this number of columns that have a value each.
 constexpr std::int32_t few_columns = 32;
 
 /// Finds the ends of the windows. Returns whether the two windows of any row share columns.

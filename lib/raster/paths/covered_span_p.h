@@ -24,8 +24,8 @@ struct covered_run {
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
     std::int32_t value; ///< the value of each column in the middle
-    /// Index of the span's first value. The values of columns before `between` come first, and
-    /// those of columns from `beyond` on follow.
+    /// Index of the span's first value. The values of columns before `between` come first. The
+    /// values of columns from `beyond` on follow.
     std::size_t values;
 
     std::size_t values_before() const { return static_cast<std::size_t>(between - first); }

@@ -24,8 +24,8 @@ public:
     thin_run& operator=(const thin_run&) = delete;
 
     /// Adds a pixel to the run.
-    /// Expects: both coordinates differ by at most 1 from those of the last pixel, unless it is the
-    ///          first of a run.
+    /// Expects: the first pixel of a run, or one whose x and y differ by at most 1 from the last
+    ///          pixel's.
     void add(std::int64_t x, std::int64_t y) {
         if (count_ > 0 && x == last_.x && y == last_.y)
             return;

@@ -22,8 +22,7 @@ inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
     return {p[0] / p[2], p[1] / p[2]};
 }
 
-/// The box in which a path is seen. Parts of curves outside of it need no fine chords. Units:
-/// pixels.
+/// The box in which a path is seen. Outside of the box, curves need no fine chords. Units: pixels.
 struct seen_box {
     double left, top, right, bottom;
 

@@ -108,9 +108,10 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
     return of_first == &piece_at(to, last) && last - first >= (to - from) / 2;
 }
 
-/// Adds the integral of the colours from one place to another, times a linear weight. The numbers
-/// of a colour are red, green and blue, each times alpha, and alpha. Within a piece, these numbers
-/// are at most quadratic, and cubic with the weight. So two Gauss points are exact.
+/// Adds the integral of colour times weight from one place to another. The weight is linear in the
+/// place. The numbers of a colour are red, green and blue, each times alpha, and alpha. Within a
+/// piece, these numbers are at most quadratic, and cubic with the weight. So two Gauss points are
+/// exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
     const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;

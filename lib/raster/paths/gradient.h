@@ -33,9 +33,9 @@ enum class L3D_PUBLIC l3d_spread {
 /// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. The
 /// pixel gets this mean also where stops jump or a gradient repeats within it.
 ///
-/// A linear gradient is exact. A radial one is taken as linear in each of up to 32 x 32 parts of
-/// the square. So a place where stops jump moves by less than 1/512 pixel, if it is more than 1/8
-/// pixel away from the focus. Pixels store the nearest whole level.
+/// A linear gradient is exact. A radial gradient is taken as linear in each of up to 32 x 32 parts
+/// of the square. So a place where stops jump moves by less than 1/512 pixel, if it is more than
+/// 1/8 pixel away from the focus. Pixels store the nearest whole level.
 /// Units:   pixels, as in l3d_rasterizer_2d.
 /// Cost:    a square root and some products for each pixel. Stops within the pixel add some
 ///          products for each stop and each part of the square.
@@ -81,7 +81,7 @@ private:
         numbers at(double place) const;
     };
 
-    /// The change of the place in the gradient over a square of the picture.
+    /// How the place in the gradient changes over a square of the picture.
     struct slope {
         double place;
         double right, down; ///< change of the place over the square's width, and over its height

@@ -33,7 +33,7 @@ inline constexpr double l3d_flat_enough = 1.0 / 1024;
 /// A path: outlines that begin with move_to, and continue with lines and curves.
 ///
 /// When a path is filled, every outline counts as closed. A line or curve that follows no outline
-/// begins a new one at (0, 0).
+/// begins a new outline at (0, 0).
 /// Units:   pixels, as in l3d_rasterizer_2d: pixel (x, y) is sampled at (x, y), y down.
 /// Lives:   a value; it owns its points.
 /// Cost:    the memory of its points. Adding allocates if there are more points than ever before.
@@ -230,10 +230,10 @@ struct L3D_PUBLIC l3d_stroke {
 /// border of the covered area along the curve is within twice l3d_flat_enough. Ends of curves, and
 /// ends of dashes on curves, are square to the curve.
 ///
-/// A corner that turns very little has one point on either side, whatever the join: a disc's arc
-/// there is within l3d_flat_enough of its chord. Other round joins, and round caps, become chords
-/// that enclose the same area as their arcs. They change the area of no pixel by more than
-/// l3d_flat_enough.
+/// A corner that turns very little has one point on either side, whatever the join. The reason is
+/// that a disc's arc at this corner is within l3d_flat_enough of its chord. Round joins at other
+/// corners, and round caps, become chords that enclose the same area as their arcs. These chords
+/// change the area of no pixel by more than l3d_flat_enough.
 ///
 /// An outline of a single point shows a round or a square cap. A very short outline is complete
 /// even where its lines turn by half a turn. If a closed outline begins within a dash, its first

@@ -30,7 +30,7 @@ struct corner_run {
 };
 
 /// The part of a chain in one row of pixels. It goes from the place where the chain enters the row,
-/// by the chain's corners in the row, to the place where the chain leaves it.
+/// through the chain's corners in the row, to the place where the chain leaves the row.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
     double left, right; ///< the piece lies between these x
@@ -97,8 +97,9 @@ private:
 /// and once downwards is cut into two chains, too.
 ///
 /// Corners outside of the picture move to its sides. So outlines stay closed, and windings inside
-/// of the picture stay the same. Horizontal edges belong to the chain before them.
-/// Cost:    linear in the corners; allocates when there are more than ever before.
+/// of the picture stay the same. Horizontal edges belong to the chain that comes before these edges
+/// in the outline.
+/// Cost:    linear in the corners; allocates when there are more corners than ever before.
 class path_chains {
 public:
     /// Removes all outlines. Corners that are added later are moved by `move`.
@@ -119,7 +120,8 @@ public:
         std::uint32_t first, end;
         double top, bottom;
     };
-    /// The blocks of all outlines. Blocks of one outline follow each other in its order.
+    /// The blocks of all outlines. Blocks of one outline follow each other in the order of its
+    /// edges.
     const std::vector<block>& blocks() const { return blocks_; }
 
     /// An outline that reaches the picture.
@@ -127,7 +129,8 @@ public:
         l3d_pixel_box box; ///< the box of all pixels that the outline reaches
         /// Index of the outline's first block, and the number of its blocks.
         std::size_t first_block, blocks;
-        /// Index of the first of its two chains; `none` if the outline is not cut into two.
+        /// Index of the outline's first chain, which its second chain follows; `none` if the
+        /// outline is not cut into two chains.
         std::size_t chains;
         std::uint8_t layer; ///< 0: an outline of the filled path; 1: of its clip path
         bool apart;         ///< whether its box meets no other outline's box; find_apart sets it

@@ -27,9 +27,9 @@ namespace l3d_detail {
 ///
 /// If an outline of two chains is near no other outline, the area between its chains is filled,
 /// many rows at once. All other outlines go to band_cells, band by band.
-/// Cost:    a few operations for each pixel that an edge passes, and an eighth of one for each
-///          pixel of the outlines' box. Allocates when a path has more edges or spans than ever
-///          before.
+/// Cost:    a few operations for each pixel that an edge passes, and an eighth of an operation for
+///          each pixel of the outlines' box. Allocates when a path has more edges or spans than
+///          ever before.
 class path_scan {
 public:
     /// A request to draw a path.

@@ -21,10 +21,10 @@ namespace l3d_detail {
 /// outlines pass under the nonzero rule, the bounds are found for parts of the pixel, and often
 /// prove the same for each part.
 ///
-/// Otherwise the borders of the inside are found. Along each edge, the winding number on its left
-/// changes where other edges cross it, begin or end. The parts of the edge that have the inside on
-/// one side only are borders, and add to the area. If rounding may tell wrong which of two edges is
-/// on the left, the pixel is cut into slabs.
+/// Otherwise the borders of the inside are found. The winding number on an edge's left changes
+/// along the edge where other edges cross it, begin or end. The parts of the edge that have the
+/// inside on one side only are borders, and add to the area. If rounding may tell wrong which of
+/// two edges is on the left, the pixel is cut into slabs.
 /// Cost:    the square of the number of edges. Slabs take n log n for n edges, times the number of
 ///          slabs.
 class pixel_area {

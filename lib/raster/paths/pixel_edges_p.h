@@ -15,7 +15,7 @@ namespace l3d_detail {
 
 /// The way by which an outline reaches the place in a pixel at which an edge begins.
 enum class cell_begin : std::uint8_t {
-    enters,      ///< the outline enters by a side other than the left one, or by an unknown side
+    enters, ///< the outline enters by the pixel's top, right or bottom side, or by an unknown side
     continues,   ///< the edge begins where the outline's edge before it ends
     unclear,     ///< the outline's first corner lies in the pixel, or it may cross itself there
     enters_left, ///< the outline enters by the pixel's left side
@@ -92,8 +92,8 @@ struct pixel_edges {
 };
 
 /// Sums over all edges of a pixel: `own` is the part of the winding number's integral that the
-/// edges add. `before` is the winding number on the left of all edges, less the one at the pixel's
-/// corner.
+/// edges add. `before` is the winding number on the left of all edges, less the winding number at
+/// the pixel's corner.
 struct edge_sums {
     double own, before;
 };

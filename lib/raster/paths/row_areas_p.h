@@ -103,8 +103,8 @@ public:
     /// row's top. `changes` lists, from top to bottom, how these numbers change down the row.
     ///
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
-    /// two cuts, edges have an order from left to right. An edge adds area only where one side of
-    /// it is inside and the other outside.
+    /// two cuts, edges have an order from left to right. An edge adds area only where one of its
+    /// sides is inside and the other side is outside.
     void add_cluster(std::span<const row_edge> edges, const windings& left, const fill_rules& rules,
                      std::span<const winding_change> changes = {});
 
@@ -192,7 +192,7 @@ inline void row_areas::add_border(double x0, double x1, double height) {
     }
 }
 
-/// Adds consecutive borders as a single one as long as they stay in one pixel.
+/// Adds consecutive borders as a single border as long as these borders stay in one pixel.
 class pixel_sum {
 public:
     /// Takes the x at which the first border begins.

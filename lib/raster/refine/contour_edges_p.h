@@ -20,13 +20,13 @@ struct contour_edge {
     float nearest = 0;   ///< the larger inv_w of both ends
 };
 
-/// Finds the edges of grids at which a surface folds over. They lie between a polygon that turns to
-/// the right in the picture and a polygon that does not. A folded quad is taken as the four
-/// triangles by which it is filled.
+/// Finds the edges of grids at which a surface folds over. Each of these edges lies between a
+/// polygon that turns to the right in the picture and a polygon that does not. A folded quad is
+/// taken as the four triangles by which it is filled.
 ///
 /// Around a vertex, polygons that turn to the right fill the same angle as those that turn to the
-/// left. So polygons of both kinds end at such an edge. A surface has no other outlines than these
-/// edges and its borders.
+/// left. So where polygons of one kind end at an edge, polygons of the other kind begin. All
+/// outlines of a surface are among these edges and the surface's borders.
 /// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
 ///        memory.
 class contour_edges {

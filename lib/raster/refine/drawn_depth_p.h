@@ -22,7 +22,8 @@ public:
                 const coarse_depth& coarse)
         : first_(first), pitch_(pitch), window_(window), coarse_(&coarse) {}
 
-    /// The farthest depth in a pixel and its neighbours; 0 if one of these pixels is empty.
+    /// The farthest depth in a pixel and its eight neighbours; 0 if one of these nine pixels is
+    /// empty.
     /// Expects: (x, y) lies in the window.
     float farthest(std::int32_t x, std::int32_t y) const {
         const std::int32_t left = std::max(x - 1, window_.left), top = std::max(y - 1, window_.top),

@@ -111,7 +111,8 @@ std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const 
                           marked_pixels& pixels, fragment* to, std::uint32_t first);
 
 /// The boxes of pixels around consecutive quads in a row of a grid. find() finds the boxes of
-/// `count` quads, clipped to `inside`. It writes up to 15 more elements, which mean nothing.
+/// `count` quads, clipped to `inside`. find() also writes up to 15 elements without meaning after
+/// these.
 /// Expects: room for all of these elements.
 struct quad_boxes {
     std::vector<std::int32_t> left, top, right, bottom;

@@ -90,8 +90,8 @@ public:
 
     /// The pixel word for a part of a pixel around a place. Stripes are means over whole pixels
     /// already. So the word is that of the pixel's middle, the same for all parts of a patch in the
-    /// pixel. At outlines, the ray through the pixel's middle may miss the patch; then the word is
-    /// that of the place.
+    /// pixel. At outlines, the ray through the pixel's middle may miss the patch; then the word of
+    /// the place itself is taken.
     std::uint32_t word_around(const float* guess, double x, double y);
 
 private:

@@ -16,8 +16,8 @@ namespace l3d_detail {
 
 /// Grey from a polygon's levels and bends, interpolated by the polygon's own parameters.
 ///
-/// In a quad of any shape, a pixel's parameters (s, t) are those of the bilinear map of its
-/// corners. Only the change of w over the quad is neglected; error() bounds the effect. In a
+/// The bilinear map of a quad's corners gives each pixel its parameters (s, t), whatever the quad's
+/// shape. Only the change of w over the quad is neglected; error() bounds the effect. In a
 /// triangle, the level is the parabola through its corners and the middles of its sides.
 class levels_shader {
 public:

@@ -222,7 +222,7 @@ struct pixel_row {
     std::uint32_t* words;
     const float* depths;
     const std::uint32_t* normals;
-    /// The pixels' colours; null if materials tell them (lit_pixels::colors).
+    /// The pixels' colours; null if materials tell the colours (lit_pixels::colors).
     const std::uint32_t* colors;
     /// The shading's `look`, or `aside` with parallel rays, in column 0 of the row.
     lane_vector own;

@@ -20,7 +20,7 @@ struct lit_pixels {
     std::ptrdiff_t word_pitch;
     const float* depths;
     const std::uint32_t* normals;
-    /// The distance between rows of depths, and between rows of normals.
+    /// The distance between rows in `depths` and in `normals`.
     std::ptrdiff_t depth_pitch;
     std::int32_t left, top; ///< column and row of the rectangle's first pixel in the picture
     std::int32_t width, height;
@@ -47,7 +47,7 @@ public:
     }
 
     /// Lights all pixels with a depth other than 0; other pixels are empty. The results have the
-    /// same bits as those of lit_shader for the normals that the words hold. A pixel costs some 20
+    /// same bits as lit_shader's results for the normals that the words hold. A pixel costs some 20
     /// operations for each light and 80 more, in lanes.
     void color(const lit_pixels& pixels) const;
 

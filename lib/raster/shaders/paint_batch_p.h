@@ -27,7 +27,7 @@ public:
     /// Whether a number of material ("name") belongs to a part of a patch.
     bool has(std::uint32_t name) const { return parts_ && parts_->has(name); }
 
-    /// The index of a name's material among those of the frame. Expects: has(name).
+    /// The index of a name's material among the frame's materials. Expects: has(name).
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
     /// Takes pixels from `begin` on, as long as they show the first pixel's part or nothing.

@@ -12,9 +12,9 @@
 
 namespace l3d_detail {
 
-/// The point of the lattice of 1/256 pixel that is nearest to a position. It lies half a pixel
-/// further right and down, as pixel (x, y) is sampled at (x + 1/2, y + 1/2) on the lattice, but at
-/// (x, y) in l3d_rasterizer_2d. Coordinates beyond far_limit are clamped to it.
+/// The point of the lattice of 1/256 pixel that is nearest to a position. The point lies half a
+/// pixel further right and down, as pixel (x, y) is sampled at (x + 1/2, y + 1/2) on the lattice,
+/// but at (x, y) in l3d_rasterizer_2d. Coordinates beyond far_limit are clamped to it.
 /// Expects: coordinates that are numbers.
 far_point lattice_point(l3d_point_2d position);
 

@@ -46,8 +46,8 @@ struct lane_lists {
 constexpr lane_lists lists_of_lanes;
 
 /// Indices of lanes that bring the lanes of a mask to a vector's front, in their order. Several
-/// vectors use the same indices. This costs less than compressing each vector, above all where the
-/// instruction set has no compression.
+/// vectors use the same indices. Using the indices costs less than compressing each vector, above
+/// all where the instruction set cannot compress.
 template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
     constexpr std::size_t listed = 8;
     if constexpr (hn::MaxLanes(D()) > listed) {

@@ -83,7 +83,8 @@ private:
 };
 
 /// Polygons that the lanes do not take: they are larger than 64 pixels or, for lambert, their
-/// normals differ too much. The caller fills them by the scalar filler after fill_finish.
+/// normals differ too much. After fill_finish, the caller fills these polygons by the scalar
+/// filler.
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
@@ -109,7 +110,7 @@ struct fill_rest {
 ///
 /// Without materials, a word is a grey pixel. With materials, its lowest byte is the grey's level,
 /// and its upper bytes are the material's index. At the end of the frame, material_words replaces
-/// such words by colours.
+/// words with materials by colours.
 ///
 /// In lit frames the lanes write normals in normal_code, and lit_words lights each visible pixel
 /// once at the end. The upper half of a word is the z of a normal, the lower half the material.
@@ -125,7 +126,7 @@ struct fill_words {
         return has_materials ? material << 8 : 0;
     }
 
-    /// The difference between of_material() of a material and of the next material.
+    /// of_material(m + 1) - of_material(m), which is the same for every material m.
     std::uint32_t next_material() const { return of_material(1); }
 
     /// The word of level 1, without the material.
@@ -139,12 +140,12 @@ struct fill_piece {
     std::uint32_t material = 0; ///< as fill_words::of_material gives it
 };
 
-/// Polygons that wait until a vector of them can be set up together.
+/// Polygons that wait until there are enough to fill a vector's lanes.
 ///
 /// Shape: polygon i is in element i of each array, [corner][component]. Components are x, y, 1/w
-///        and the inputs of light. These are the vertex's three numbers for lambert and levels,
-///        otherwise the grey level. Floats are stored by their bits. A triangle has its last corner
-///        twice.
+///        and the inputs of light. In modes lambert and levels, the inputs of light are the
+///        vertex's three numbers, otherwise the grey level. Floats are stored by their bits. A
+///        triangle has its last corner twice.
 /// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
 ///        memory. The queue is empty between bands.
 struct fill_queue {

@@ -70,7 +70,7 @@ public:
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const {
         return hn::Or(unfit, mask_of(hn::Gt(spread_, set(smooth_spread))));
     }
-    /// Returns those of the polygons whose pieces the lanes can fill.
+    /// Returns the polygons among `polygons` whose pieces the lanes can fill.
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const {
         return hn::And(polygons, mask_of(hn::Le(spread_, set(piece_spread))));
     }

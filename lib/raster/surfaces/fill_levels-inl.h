@@ -133,8 +133,8 @@ private:
     float_vec level_[4];
     /// The bend of each side: the level in its middle, less the mean of the levels at its ends.
     float_vec side_ab_, side_ad_, side_bc_, side_dc_;
-    /// The amount by which the levels of corners a and c are above the quad's plane of levels, and
-    /// those of b and d below it.
+    /// The levels of corners a and c are above the quad's plane of levels by this amount. The
+    /// levels of b and d are below the plane by the same amount.
     float_vec off_plane_;
     lane_parabola level_of_;
     lane_plane slope_;

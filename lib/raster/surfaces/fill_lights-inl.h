@@ -47,8 +47,8 @@ using corner_arrays = std::array<vertex_arrays, 4>;
 /// For each of the four corners, the index of the first polygon's corner in its arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// The numbers of the corners' light that the queue takes, in arrays. As many elements of each
-/// array may be read as of the corners' arrays.
+/// The numbers of the corners' light that the queue takes, in arrays. Each array may be read to the
+/// same element as the corners' arrays (vertex_arrays::size).
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;

@@ -194,7 +194,7 @@ private:
         return there;
     }
 
-    /// The masks of the columns of a run that are below `end`: one for each of the run's vectors.
+    /// Tells which columns of a run are below `end`, by a mask for each of the run's vectors.
     HWY_INLINE auto columns_below(std::int32_t end) const {
         return [this, end = hn::Set(int_tag(), end)](std::size_t v)
                    HWY_ATTR { return hn::Lt(columns_[v], end); };

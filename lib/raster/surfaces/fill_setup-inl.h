@@ -243,8 +243,8 @@ struct lane_corners {
     }
 };
 
-/// A bound of the error that the change of w over a polygon adds to interpolated numbers, as a
-/// share of the range of these numbers at the corners.
+/// A bound of the error of interpolated numbers that comes from the change of w over a polygon.
+/// Units: a share of the difference between the largest and the least number at the corners.
 HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     const floats d;
     const float_vec ratio = hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));

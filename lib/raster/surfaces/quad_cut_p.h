@@ -75,7 +75,8 @@ public:
     }
 
     /// Twice the area of the triangle between a side and the crossing of the two sides beside it; 0
-    /// if these two sides do not cross. The turns give the crossing's place on the next side.
+    /// if these two sides do not cross. The turns at the corners tell where on the next side the
+    /// crossing lies.
     double crossed(std::size_t side) const {
         const auto at = [&](std::size_t i) { return static_cast<double>(at_[(side + i) % 4]); };
         if (at(0) * at(3) >= 0 || at(1) * at(2) >= 0)

@@ -40,8 +40,8 @@ struct L3D_PUBLIC l3d_panel_style {
     static constexpr int opaque = 255;
 
     /// The height of letters that suits a picture: a fiftieth of its height, but from 12 to 16
-    /// pixels, times l3d_screen::text_scale. It is at most a sixteenth of the picture's height, to
-    /// leave room for a dozen lines.
+    /// pixels, times l3d_screen::text_scale. text_scale raises it to at most a sixteenth of the
+    /// picture's height, to leave room for a dozen lines.
     static int size_for(l3d_size picture, double text_scale = 1);
 };
 
@@ -79,14 +79,14 @@ public:
     /// The number of lines and scales that were added.
     std::size_t rows() const { return rows_.size(); }
 
-    /// Whether nothing was added.
+    /// Whether no line and no scale was added.
     bool empty() const { return rows_.empty(); }
 
     /// Divides the lines among as few panels as possible, each of which leaves half of the picture
-    /// free. If there are several, each panel says that the key named `key` shows the next. Panels
-    /// of only a few lines may still cover more than half of the picture. All panels have the same
-    /// height of letters: the style's, or the largest that fits. A very small picture, where the
-    /// smallest letters leave no room for a few lines, gets one panel.
+    /// free. If there are several panels, each says that the key named `key` shows the next panel.
+    /// Panels of only a few lines may still cover more than half of the picture. All panels have
+    /// the same height of letters: the style's, or the largest that fits. A very small picture,
+    /// where the smallest letters leave no room for a few lines, gets one panel.
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
 

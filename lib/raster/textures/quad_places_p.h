@@ -27,9 +27,9 @@ struct part_run {
 part_run find_quad_places(const painted_part& part, const float* parameters,
                           const named_pixels& from, std::size_t begin, painted_pixels& pixels);
 
-/// Finds the place in the texture's picture, and the steps, for one pixel that shows triangle
-/// number `triangle` of the part. The triangle is taken as half of a quad. `pixel` is the pixel's
-/// index in `pixels`.
+/// Finds the place in the texture's picture, and the steps to the places of the next pixels, for
+/// one pixel. The pixel shows triangle number `triangle` of the part. The triangle is taken as half
+/// of a quad. `pixel` is the pixel's index in `pixels`.
 /// Units: pixels from the picture's top left corner.
 void find_triangle_place(const painted_part& part, std::size_t triangle, double x, double y,
                          std::size_t pixel, painted_pixels& pixels);

@@ -42,7 +42,7 @@ template <class Add> void visit_covered(int at, int smaller, int size, const Add
     }
 }
 
-/// The light of a pixel in the form of texture_view::texels.
+/// A pixel's light as a word of texture_view::texels.
 std::uint32_t packed(const float* light) {
     std::uint32_t word = 0;
     for (std::size_t c = 0; c < channels; ++c) {

@@ -124,10 +124,10 @@ struct L3D_PUBLIC l3d_painted_triangle {
 
 /// A model made of painted triangles, and its place in the picture.
 ///
-/// In each pixel, values between the corners are those on the triangle's exact plane, and so are
-/// the values' changes to the next pixels. Light is linear. A pixel's light is the product of three
-/// lights: that of the material's colour, of the colour interpolated between the corners, and of
-/// the texture.
+/// A pixel gets its values, and their changes to the next pixels, by interpolation on the
+/// triangle's exact plane. Light is linear. A pixel's light is a product of three lights: the light
+/// of the material's colour, the light of the colour interpolated between the corners, and the
+/// texture's light.
 /// Lives:   borrows its arrays.
 struct L3D_PUBLIC l3d_painted_model {
     /// The number of material by which parts name the model's first triangle.
@@ -153,14 +153,14 @@ struct L3D_PUBLIC l3d_face_paints {
     /// The painted models, in the order of their triangles' numbers. These numbers begin after the
     /// numbers of the frame's materials.
     std::vector<l3d_painted_model> models;
-    /// The painted parts of patches, with numbers after those of the triangles; null if there are
-    /// none. More parts may be added until the frame's finish.
+    /// The painted parts of patches, whose numbers begin after the triangles' numbers; null if no
+    /// patch is painted. More parts may be added until the frame's finish.
     /// Lives: borrowed until the frame's finish, and so are the parts.
     const l3d_detail::painted_parts* parts = nullptr;
     /// The filter of all textures.
     l3d_texture_filter filter = l3d_texture_filter::anisotropic;
 
-    /// The number of material after that of the last triangle.
+    /// The first number of material after the numbers of all triangles.
     std::size_t end() const {
         return models.empty() ? 0 : models.back().first + models.back().triangles.size();
     }

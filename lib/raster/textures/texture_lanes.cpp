@@ -22,7 +22,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The largest width of a footprint, in pixels of the texture. It is larger than the width of any
+/// The limit of a footprint's width, in pixels of the texture. It is larger than the width of any
 /// picture, and its square is still a float.
 constexpr float widest = 0x1p60F;
 

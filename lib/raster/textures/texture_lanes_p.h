@@ -19,8 +19,8 @@ struct texture_view {
     /// be halved 31 times.
     static constexpr std::size_t most_levels = 32;
     /// The pixels of all mip levels. Each word has the square roots of the light of red, green and
-    /// blue, from the highest bit on. The largest numbers stand for the light of white. A border of
-    /// one pixel around each mip level shows what lies beyond its sides.
+    /// blue, from the highest bit on. The largest numbers stand for the light of white. Each mip
+    /// level has a border of one pixel, which shows what lies beyond the level's sides.
     const std::uint32_t* texels = nullptr;
     static constexpr std::array<int, 3> bits{11, 11, 10};
     int width = 0, height = 0, levels = 0;

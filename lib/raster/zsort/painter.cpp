@@ -13,8 +13,8 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Turns a piece's place in the order into a depth that rises with it: a positive float from 1/2
-/// on. Floats are ordered like their bits.
+/// Turns a piece's place in the order into a depth, a positive float from 1/2 on. Later places get
+/// larger depths. Floats are ordered like their bits.
 float depth_of_place(std::size_t place) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(0.5F) +
                                 static_cast<std::uint32_t>(place));
