@@ -38,7 +38,7 @@ struct L3D_PUBLIC l3d_background {
     /// No background: its pixel words are l3d_pixels::transparent, and a PNG gets an alpha channel.
     static constexpr l3d_background none() { return color(l3d_pixels::transparent); }
 
-    /// Whether nothing is behind the surfaces.
+    /// Whether this is the background of none(): nothing is behind the surfaces.
     constexpr bool is_none() const { return top == l3d_pixels::transparent; }
 
     /// Whether red, green and blue are equal in each row.

@@ -16,7 +16,7 @@
 struct l3d_inspected_patches {
     using vector = l3d_vector<double, 3>;
 
-    /// Pixels per unit at distance 1.
+    /// The size, in pixels, at which a world unit is seen at distance 1.
     double focal = 1;
     /// The column of the picture's middle, in pixels.
     double centre_x = 0;

@@ -66,10 +66,10 @@ struct L3D_PUBLIC l3d_lighting {
     l3d_light_color ambient{0.1F, 0.1F, 0.1F};
     /// The first light's colour.
     l3d_light_color color{1, 1, 1};
-    /// The far lights besides the first; `count` of them are used.
+    /// The far lights besides the first. The first `count` elements are used.
     std::array<l3d_far_light, most_further> lights{};
     std::size_t count = 0; ///< the number of far lights besides the first; at most most_further
-    /// The lights at places; `point_count` of them are used.
+    /// The lights at places. The first `point_count` elements are used.
     std::array<l3d_point_light, most_points> points{};
     std::size_t point_count = 0; ///< the number of lights at places; at most most_points
 

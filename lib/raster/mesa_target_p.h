@@ -58,8 +58,8 @@ public:
     void download(const l3d_pixels& pixels);
 
     /// Empties the picture and the depth before surfaces are drawn.
-    /// Expects: surfaces are drawn with an alpha of 0, as empty pixels are marked by another alpha.
-    ///          On a black background, empty pixels need no mark.
+    /// Expects: surfaces are drawn with an alpha of 0. Empty pixels are marked by another alpha,
+    ///          except on a black background, where they need no mark.
     void clear(const l3d_background& background);
     /// Copies the picture that was drawn since clear() to pixels in memory. Empty pixels get the
     /// background.

@@ -16,7 +16,7 @@ struct L3D_PUBLIC l3d_placement_2d {
     l3d_point_2d across{1, 0}; ///< the step into which a step of 1 to the right is turned
     l3d_point_2d down{0, 1};   ///< the step into which a step of 1 downwards is turned
 
-    /// A placement that only moves.
+    /// A placement that only moves, by x to the right and y down.
     static l3d_placement_2d moved(double x, double y) { return {{x, y}, {1, 0}, {0, 1}}; }
 
     /// A placement that stretches along both axes and leaves (0, 0) where it is.

@@ -54,7 +54,7 @@ struct L3D_PUBLIC l3d_micro_grid {
     /// The places of all vertices in the picture. Units: 1/256 pixel.
     std::vector<std::int32_t> x, y;
     std::vector<float> inv_w;     ///< 1 / distance along the view axis, of all vertices
-    std::vector<float> normal[3]; ///< the normals' components, of all vertices
+    std::vector<float> normal[3]; ///< the components of all vertices' normals
 
     /// Whether the picture shows both sides of the surface. Normals, or levels and bends, belong to
     /// the side to which dS/du x dS/dv points. A quad (or a piece of a folded quad) that turns to
@@ -124,7 +124,7 @@ struct L3D_PUBLIC l3d_micro_triangles {
         std::array<float, lanes> inv_w;                 ///< 1 / distance along the view axis
         std::array<std::array<float, lanes>, 3> normal; ///< normals, or levels and bends
     };
-    /// The three corners of a block's triangles.
+    /// A block of 16 triangles, by their first, second and third corners.
     using block = std::array<corner, 3>;
 
     std::vector<block> blocks; ///< triangle i is in element i % lanes of block i / lanes

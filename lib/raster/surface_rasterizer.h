@@ -139,7 +139,7 @@ struct L3D_PUBLIC l3d_surface_counts {
 
     std::int64_t refined = 0; ///< pixels at edges, whose light is a mean over their squares
 
-    /// Adds the counts of another part of the picture.
+    /// Adds the counts that another part of the same picture has.
     void add(const l3d_surface_counts& other) {
         quads += other.quads;
         samples += other.samples;
@@ -172,7 +172,7 @@ struct L3D_PUBLIC l3d_surface_counts {
 /// A rectangle of the picture. Units: 1/256 pixel from the picture's top left corner, ends
 /// included.
 struct L3D_PUBLIC l3d_subpixel_box {
-    /// The first and the last column and row.
+    /// The first and the last column and row. All four are inside of the rectangle.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 

@@ -76,7 +76,8 @@ private:
         return word >> shift_of(k) & 255;
     }
 
-    const linear_light_of<double>* light_; ///< null: levels are mixed as they are
+    /// Tables for mixing light; null: levels are mixed as they are.
+    const linear_light_of<double>* light_;
 };
 
 } // namespace l3d_detail

@@ -22,8 +22,8 @@ public:
     /// Expects: the box of begin() lies in the picture. The weights of all pictures add up to 1.
     void add(const l3d_pixels& picture, float weight, l3d_workers& workers);
 
-    /// Writes the levels nearest to the sums. If all pictures have the same word in a pixel, this
-    /// word is written.
+    /// Writes pixel words whose levels are nearest to the sums. If all pictures have the same word
+    /// in a pixel, this word is written.
     void write(const l3d_pixels& target, l3d_workers& workers) const;
 
 private:

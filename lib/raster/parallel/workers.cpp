@@ -125,7 +125,7 @@ struct l3d_workers::threads {
     };
 
     std::vector<member> members;
-    int made = 1; ///< the number of threads that exist, the caller's included
+    int made = 1; ///< the number of threads that exist, the caller's thread included
     int why_no_more = 0;
     /// Whether an item's work has thrown, so that no other item is begun.
     std::atomic<bool> has_failed{false};

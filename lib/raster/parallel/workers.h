@@ -58,7 +58,7 @@ public:
     l3d_workers& operator=(const l3d_workers&) = delete;
     ~l3d_workers();
 
-    /// The number of threads, the caller's included.
+    /// The number of threads, the caller's thread included.
     int count() const { return count_; }
 
     /// A line of text about missing threads: how many threads there are, how many were asked for,

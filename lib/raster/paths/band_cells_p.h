@@ -68,12 +68,13 @@ private:
 
     fill_rules rules_;
     std::int32_t left_ = 0, right_ = 0, rows_ = 0, top_ = 0, bottom_ = 0;
-    std::size_t stride_ = 0; ///< cells of a row, a multiple of `group`
+    std::size_t stride_ = 0; ///< the number of cells in a row, a multiple of `group`
     std::array<std::vector<cell>, 2> cells_;
     kept_list<edge_record> records_;
-    std::vector<std::uint64_t> groups_; ///< for each row, the groups that edges pass, as bits
-    std::size_t words_ = 0;             ///< words of a row in groups_
-    std::vector<double> sums_;          ///< the integrals, or the areas, of a run of pixels
+    /// For each row, a bit for each group of pixels: whether edges pass it.
+    std::vector<std::uint64_t> groups_;
+    std::size_t words_ = 0;    ///< the number of words that a row takes in groups_
+    std::vector<double> sums_; ///< the integrals, or the areas, of a run of pixels
     const l3d_point_2d* corners_ = nullptr;
     pixel_area pixel_;
 };

@@ -29,9 +29,10 @@ struct side_block {
     lanes leaves;
     /// In each row, the number of corners between `enters` and `leaves`.
     lanes corners;
-    /// The corners of each row, from top to bottom.
+    /// The coordinates of the chain's corners in each row. Element i has each row's i-th corner
+    /// from the top.
     std::array<lanes, most_corners> x, y;
-    /// The first corner of each row, in memory.
+    /// For each row, a pointer to the chain's first corner in the row.
     std::array<const l3d_point_2d*, rows> first;
     /// The limit of corners in a row that is filled in lanes. Rows with more corners are left to
     /// slower code, as all lanes wait for the lane with the most corners.
@@ -86,7 +87,7 @@ private:
 /// between them.
 struct side_pair {
     std::array<const side_block*, 2> blocks;
-    /// The heights at which both chains begin and end.
+    /// The heights between which both chains run.
     double begin, end;
     /// The first row, and the number of rows. There are more rows than in a block only if both
     /// chains are straight.
@@ -104,9 +105,11 @@ struct side_pair {
 struct pair_spans {
     static constexpr std::size_t most_values = 64; ///< the limit of values in a row of a span
 
-    covered_span* spans;       ///< room for one span in each row
-    std::uint8_t* values;      ///< room for most_values in each row
-    std::size_t values_before; ///< the index that spans give to the first element of `values`
+    covered_span* spans;  ///< room for one span in each row
+    std::uint8_t* values; ///< room for most_values in each row
+    /// The index of the first element of `values` in the list of all values, for
+    /// covered_span::values.
+    std::size_t values_before;
     std::size_t span_count = 0, value_count = 0;
 };
 

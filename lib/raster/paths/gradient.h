@@ -23,8 +23,8 @@ struct L3D_PUBLIC l3d_color_stop {
 /// The continuation of a gradient before its beginning and behind its end.
 enum class L3D_PUBLIC l3d_spread {
     pad,    ///< beyond both ends, the colour of the nearest stop
-    repeat, ///< the gradient again and again, from 0 to 1
-    reflect ///< the gradient backwards and forwards by turns
+    repeat, ///< beyond both ends, the gradient again and again, from 0 to 1
+    reflect ///< beyond both ends, the gradient backwards and forwards by turns
 };
 
 /// Colours that change along a line, or from a place outwards.

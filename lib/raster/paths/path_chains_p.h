@@ -33,7 +33,7 @@ struct corner_run {
 /// through the chain's corners in the row, to the place where the chain leaves the row.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
-    double left, right; ///< the piece lies between these x
+    double left, right; ///< the least and the largest x of the piece
     l3d_point_2d enters, leaves;
     corner_run corners; ///< the corners between the piece's ends
     /// 1 if the outline leads up, adding 1 to the winding on the right; else -1.
@@ -110,7 +110,7 @@ public:
     void lines(std::span<const l3d_point_2d> corners);
     void end(std::uint8_t layer);
 
-    /// All chains; corners() is the array of their corners.
+    /// All chains. corners() is the array of the chains' corners.
     std::span<const chain> chains() const { return chains_; }
     const l3d_point_2d* corners() const { return corners_.data(); }
 

@@ -79,7 +79,7 @@ private:
     span_writer writer_;
 };
 
-/// The request that l3d_rasterizer_2d::draw_path makes, for a picture.
+/// The order by which l3d_rasterizer_2d::draw_path draws into a picture.
 inline path_scan::order order_of(const l3d_path& path, const l3d_fill& fill,
                                  const l3d_pixel_box& picture) {
     return {path,

@@ -29,7 +29,8 @@ struct edge_record {
     static constexpr std::uint32_t mark_bits = 3, marks = 7, begins = 3, leaves_left = 4;
 
     l3d_point_2d from, to;
-    std::uint32_t before; ///< index of the record before this one in the pixel's list; 0 for none
+    /// Index of the record that was added to the pixel's list before this record; 0 for none.
+    std::uint32_t before;
     /// The edge's index, above mark_bits lower bits. The lower bits hold the edge's cell_begin, and
     /// leaves_left if the edge leaves the pixel by its left side.
     std::uint32_t edge;

@@ -195,7 +195,7 @@ inline void row_areas::add_border(double x0, double x1, double height) {
 /// Adds consecutive borders as a single border as long as these borders stay in one pixel.
 class pixel_sum {
 public:
-    /// Takes the x at which the first border begins.
+    /// Begins a sum, which is later added to `areas`. `x` is where the first border begins.
     pixel_sum(row_areas& areas, double x) : areas_(areas), column_(static_cast<std::int32_t>(x)) {}
     ~pixel_sum() { end(); }
     pixel_sum(const pixel_sum&) = delete;

@@ -17,7 +17,7 @@ namespace l3d_detail {
 /// another. In the picture, the surface lies on its right. Farther things are seen on its left.
 struct contour_edge {
     scan_point from, to; ///< both ends of the edge; units: 1/256 pixel
-    float nearest = 0;   ///< the larger inv_w of both ends
+    float nearest = 0;   ///< inv_w at the nearer end: the larger one of the ends' inv_w
 };
 
 /// Finds the edges of grids at which a surface folds over. Each of these edges lies between a

@@ -25,7 +25,7 @@ struct marked_pixel {
     /// this depth nearer.
     float farthest;
     float least;           ///< the least inv_w of the polygons that were added to the pixel
-    std::uint64_t covered; ///< the samples that these polygons cover, as bits
+    std::uint64_t covered; ///< a bit for each sample: whether an added polygon covers it
 };
 
 /// The marked pixels of a band, sorted by tiles. So the marked pixels that a polygon may reach are
@@ -90,7 +90,7 @@ public:
         const tile& here() const { return row_[next_ - 1]; }
         std::int32_t left() const { return static_cast<std::int32_t>(next_ - 1) * side; }
         std::int32_t top() const { return top_; }
-        /// The tile's open pixels in the box.
+        /// The open pixels of the present tile that are in the box, as bits.
         std::uint64_t bits() const { return bits_; }
 
     private:
@@ -121,7 +121,8 @@ public:
                       static_cast<std::size_t>(x)];
     }
 
-    /// The box of the pixels that still take fragments.
+    /// A box around the pixels that still take fragments: the rows that begin() took, or after
+    /// reopen() a smaller box.
     const l3d_pixel_box& band() const { return band_; }
     std::vector<marked_pixel>& pixels() { return pixels_; }
     const std::vector<marked_pixel>& pixels() const { return pixels_; }

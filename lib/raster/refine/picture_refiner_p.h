@@ -28,7 +28,7 @@ struct drawn_frame {
     std::span<const std::uint32_t> colors;
     const band_list& list;
     const coarse_depth& coarse;
-    l3d_pixel_box window; ///< the drawn part of the target
+    l3d_pixel_box window; ///< the part of the picture that the frame draws
     int rows = 0;         ///< the number of rows in a band
 };
 

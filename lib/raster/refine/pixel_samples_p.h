@@ -124,7 +124,8 @@ struct quad_boxes {
 /// The fragments that are seen in a few pixels, in the order in which they were added. No two
 /// fragments of a pixel share a sample.
 struct seen_in_pixels {
-    static constexpr std::size_t most = 4; ///< the largest number of pixels
+    /// The largest number of pixels that see_samples() takes at once.
+    static constexpr std::size_t most = 4;
 
     std::array<seen_fragment, most * sample_places::count> fragments;
     /// For each pixel, the index of its first fragment; then the index behind the last pixel's

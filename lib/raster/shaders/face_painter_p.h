@@ -47,7 +47,7 @@ public:
     void paint(const named_pixels& pixels);
     const std::uint32_t* words() const { return batch_.words(); }
 
-    /// The index of a name's material.
+    /// The index, in the frame's list, of the material that a name has.
     std::uint32_t material(std::uint32_t name) {
         if (batch_.has(name))
             return batch_.material(name);

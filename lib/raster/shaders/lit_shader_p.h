@@ -154,7 +154,7 @@ private:
     /// A unit normal of a surface, and the ray from the eye to the normal's place.
     struct seen_normal {
         vector3 normal, look;
-        float distance, against; ///< the ray's length, and its product with the normal
+        float distance, against; ///< the ray's length, and the product of ray and normal
 
         seen_normal(const vector3& n, const vector3& e)
             : normal(n), look(e), distance(length(e)), against(dot(e, n.data())) {}

@@ -28,7 +28,7 @@ HWY_INLINE float_vec set(float value) {
     return hn::Set(floats(), value);
 }
 
-/// A vector in space for each pixel.
+/// A vector in space for each pixel, one pixel in each lane.
 struct lane_vector {
     float_vec x, y, z;
 

@@ -58,7 +58,7 @@ private:
     const painted_parts* parts_;
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
-    const painted_part* part_ = nullptr;   ///< the part that was asked for last
+    const painted_part* part_ = nullptr;   ///< the part whose name was asked for last
     const l3d_texture* texture_ = nullptr; ///< the texture of the pixels that wait
     pixel_range waiting_;
     painted_pixels pixels_{};

@@ -18,7 +18,7 @@ namespace l3d_detail {
 /// Expects: coordinates that are numbers.
 far_point lattice_point(l3d_point_2d position);
 
-/// Whether neither coordinate is a NaN.
+/// Whether both coordinates are numbers: neither is a NaN.
 bool is_number(l3d_point_2d position);
 
 /// The corners of one polygon on the lattice.

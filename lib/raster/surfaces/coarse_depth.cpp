@@ -82,7 +82,7 @@ std::int32_t lanes() {
     return static_cast<std::int32_t>(hn::Lanes(floats));
 }
 
-/// Sets the depths in the tiles `p` to 0.
+/// Sets the depths of the pixels `p` to 0.
 void clear(const tile_pixels& p, const fill_band& band) {
     float* to = band.depths + p.depths_at;
     if (p.width == depth_tile::width) // the usual case, for which no memset is called

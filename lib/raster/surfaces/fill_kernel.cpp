@@ -206,8 +206,8 @@ private:
         queue_.material[to] = triangle.material;
     }
 
-    /// Fills the first `enough` polygons of the queue, and moves all others to the queue's front.
-    /// These others are fewer than the lanes of the widest vector.
+    /// Fills the first `enough` polygons of the queue, and moves the remaining polygons to the
+    /// queue's front. There are fewer remaining polygons than lanes in the widest vector.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
         find_seen(fill_queue::enough);

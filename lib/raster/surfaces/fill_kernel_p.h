@@ -49,10 +49,11 @@ struct fill_counts {
     /// once in every band.
     std::int64_t by_plane = 0;
 
-    /// Mode `levels`: the error of levels, as in l3d_surface_counts.
+    /// In mode `levels`, the largest error of levels, as in l3d_surface_counts.
     float level_error = 0;
     std::int64_t unproven_levels = 0;
-    float normal_error = 0; ///< lit frames: the error of normals, as in l3d_surface_counts
+    /// In lit frames, the largest error of normals, as in l3d_surface_counts.
+    float normal_error = 0;
 
     std::int64_t unsolved = 0; ///< tested pixels without an exact place, as in l3d_surface_counts
 
@@ -161,9 +162,9 @@ struct fill_queue {
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
-    /// The grid or the triangles that have the polygon.
+    /// The l3d_micro_grid or the l3d_micro_triangles that each polygon belongs to.
     alignas(64) std::array<const void*, room> source;
-    /// 0 if the polygon is hidden; set when it is about to be filled.
+    /// 0 for each polygon that is hidden, set when the polygons are about to be filled.
     alignas(64) std::int32_t seen[room];
     /// The material, as fill_words::of_material gives it; set only in frames with materials.
     alignas(64) std::uint32_t material[room];

@@ -184,7 +184,8 @@ private:
     }
 
     float_vec normal_[3][4], spread_;
-    float_vec square1_, square2_; ///< squared differences of opposite corners' normals
+    /// The squares of |c - a| and |d - b|, where a to d are the corners' normals.
+    float_vec square1_, square2_;
     /// The sum of the sizes of two products. Each multiplies a difference of opposite corners'
     /// normals by the twist a - b + c - d of all four normals.
     float_vec lean_;

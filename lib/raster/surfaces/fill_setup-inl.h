@@ -14,7 +14,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// One pixel in sub-pixel units.
+/// The size of a pixel, in sub-pixels.
 constexpr std::int32_t pixel = l3d_subpixel_one;
 
 HWY_INLINE int_vec load(const std::int32_t* p) {
@@ -208,7 +208,7 @@ struct lane_places {
     /// The change of s and t from a column of the picture to the next.
     float_vec column_s, column_t;
     int_mask fits, piece; ///< polygons that are filled with this vector, and pieces of quads
-    int_mask triangle;    ///< polygons that have their last corner twice
+    int_mask triangle;    ///< polygons that are triangles: corner d is c again
     /// Distance between the middles of a quad's diagonals, in parts of the diagonals.
     float_vec uneven;
 };

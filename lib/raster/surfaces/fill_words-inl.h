@@ -85,7 +85,8 @@ private:
         return hn::BitCast(tag(), hn::Add(number, hn::Set(D(), normal_code::whole_numbers)));
     }
 
-    /// Words made of the lowest byte of each sum.
+    /// Words that repeat the lowest byte of each sum in the bytes of a grey, or have it in the byte
+    /// of a level.
     HWY_INLINE word_vec spread(hn::Vec<D> sum) const {
 #if HWY_TARGET == HWY_SCALAR
         return hn::Mul(hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu)), unit_);

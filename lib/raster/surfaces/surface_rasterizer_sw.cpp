@@ -68,7 +68,7 @@ struct l3d_surface_rasterizer_sw::work_space {
     std::vector<band_painter> painters; ///< a painter for each worker
     /// Depths of a band for each worker, if nobody wants depths after the frame.
     std::vector<l3d_depth_buffer> worker_depths;
-    l3d_depth_buffer kept_depth; ///< depths of the picture, if only anti-aliasing wants them
+    l3d_depth_buffer kept_depth; ///< depths of the picture, if only anti-aliasing needs them
     /// The number of covered pixels in each band, if they are counted.
     std::vector<std::int64_t> covered;
     /// Gets the words of begin_part and begin_over, which are not drawn into the target itself.
@@ -136,8 +136,8 @@ void l3d_surface_rasterizer_sw::draw_into_own(l3d_size size) {
     target_ = refined_ = picture.pixels();
 }
 
-/// Draws polygons whole into a picture of its own, so that no number in them depends on where the
-/// part ends. Pixels beside the part are not copied.
+/// Draws whole polygons into a picture of the rasterizer's own, so that no number of a polygon
+/// depends on where the part ends. Only the part's pixels are copied to the target.
 void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,
                                               const l3d_shading& shading,
                                               const l3d_pixel_box& part) {
@@ -372,8 +372,8 @@ void l3d_surface_rasterizer_sw::do_finish() {
                         : l3d_surface_counts::none_counted;
 }
 
-/// Smooths the edges. Parts that several calls have drawn are listed once more, as if one call had
-/// drawn them.
+/// Smooths the edges. If several calls have drawn parts, all parts are listed once more, as if one
+/// call had drawn them.
 void l3d_surface_rasterizer_sw::refine() {
     band_list& list = work_->list;
     if (work_->parts.size() > last_parts_)

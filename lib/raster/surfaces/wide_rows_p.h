@@ -24,7 +24,7 @@ struct row_light {
     kind by = kind::word;
     std::uint32_t word = 0;
     float darkest = 0, brightest = 1;
-    std::array<float, 3> light{}; ///< unit vector to the light
+    std::array<float, 3> light{}; ///< unit vector towards the light
 };
 
 /// Runs of columns [begin, end) in some rows of a polygon. Interpolated numbers are counted from

@@ -17,13 +17,13 @@
 
 /// The look of a panel: its letters and colours. Units: colours are pixel words.
 struct L3D_PUBLIC l3d_panel_style {
-    /// The letters of all text.
+    /// The font of all text in the panel.
     l3d_font font{};
 
     /// The height of letters in pixels. Where letters of this size do not fit, they become smaller.
     int size = 14;
 
-    /// The colour of lines.
+    /// The colour of the text in lines.
     std::uint32_t text = 0x00f2f2f2;
 
     /// The colour of the word before a line, such as a key's name.

@@ -56,7 +56,7 @@ public:
     int bar_height() const { return letter_size_; }
 
 private:
-    /// A row that was wrapped into lines.
+    /// The lines into which a row was wrapped.
     struct block {
         std::vector<std::string> text;
         int height = 0;

@@ -60,7 +60,7 @@ struct near_map {
 /// Lives: borrows part, parameters and texture.
 struct painted_part {
     std::uint32_t first = 0;    ///< the name of the quad at index 0
-    std::uint32_t material = 0; ///< the index of the part's material among the frame's
+    std::uint32_t material = 0; ///< the index of the part's material among the frame's materials
     const l3d_surface_part* part = nullptr;
     /// Parameters of the grid's first vertex, to which `near` and `parameters` are relative.
     l3d_patch_parameters origin;

@@ -33,7 +33,7 @@ struct bilinear {
     HWY_INLINE float_vec along_s(float_vec at_t) const { return hn::Add(s, hn::Mul(at_t, st)); }
     HWY_INLINE float_vec along_t(float_vec at_s) const { return hn::Add(t, hn::Mul(at_s, st)); }
 
-    /// This function, less `factor` times another function.
+    /// This function minus `factor` times the function `other`.
     HWY_INLINE bilinear less(float_vec factor, const bilinear& other) const {
         return {hn::Sub(s, hn::Mul(factor, other.s)), hn::Sub(t, hn::Mul(factor, other.t)),
                 hn::Sub(st, hn::Mul(factor, other.st))};

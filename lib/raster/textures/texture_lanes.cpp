@@ -42,8 +42,9 @@ HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     }
 }
 
-/// The two pixels beside places along one axis: the index of the first, and the share of the second
-/// in the colour. Both pixels may lie in the border of one pixel around the mip level.
+/// The two pixels beside a place along one axis, in each lane: the index of the first pixel, and
+/// the share of the second pixel in the colour. Both pixels may lie in the border of one pixel
+/// around the mip level.
 struct neighbours {
     int_vec first;
     float_vec share;
@@ -123,11 +124,11 @@ HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of,
 }
 
 /// Two neighbouring mip levels for the footprint of a pixel in each lane. The pixels of the larger
-/// one are not wider than the footprint, and the other one is the next smaller copy.
+/// mip level are not wider than the footprint. The other mip level is the next smaller copy.
 class level_pair {
 public:
-    /// In the width as a float, the exponent is the number of the larger mip level, and the
-    /// mantissa tells the share of the smaller one.
+    /// Chooses both mip levels by the footprint's width. The exponent of this float is the number
+    /// of the larger mip level, and the mantissa tells the share of the smaller mip level.
     HWY_INLINE level_pair(const texture_view& texture, float_vec width) : texture_(texture) {
         const float_vec held_width = hn::Min(hn::Max(width, set(1.0F)), set(widest));
         const int_vec bits = hn::BitCast(ints(), held_width), one = hn::BitCast(ints(), set(1.0F));

@@ -90,7 +90,8 @@ struct level_steps {
     /// The light at which the table begins; it is below the light of half a level.
     static constexpr float least = 0x1p-13F;
     static constexpr int lower_bits = 16;
-    static constexpr std::size_t steps = 13 * 128 + 1; ///< the last step begins at 1
+    /// The number of steps; the last step begins at light 1.
+    static constexpr std::size_t steps = 13 * 128 + 1;
     /// An entry for each step. Its lowest byte is the level where the step begins. Its upper bytes
     /// are the least lower 16 bits with which a float in this step belongs to the next level.
     std::array<std::int32_t, steps> level{};
@@ -106,12 +107,13 @@ void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
 /// Sets each pixel's word to the levels nearest to its light, as linear_light::level finds them.
 void encode_light(const pixel_range& range, painted_pixels& pixels);
 
-/// The name in pixels that show no polygon.
+/// Stands for the name in pixels that show no polygon.
 inline constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
 /// Pixels of a row, and the names (numbers of material) of the polygons that they show.
 struct named_pixels {
-    alignas(64) painted_pixels::row<std::uint32_t> names; ///< no_name behind the last pixel, too
+    /// A name for each pixel; no_name also behind the last pixel.
+    alignas(64) painted_pixels::row<std::uint32_t> names;
     std::size_t count = 0;
     /// The first pixel's middle, in pixels from the picture's top left corner; x rises by 1.
     double x = 0, y = 0;

@@ -33,7 +33,7 @@ struct l3d_painter_triangle {
 struct l3d_painter_cut {
     static constexpr std::uint32_t last = ~0u;
 
-    std::uint32_t splitter = 0; ///< index of the triangle that has the other plane
+    std::uint32_t splitter = 0; ///< index of the triangle whose plane cuts
     /// Whether the part in front of the plane is kept; places of equal depth are in front.
     bool in_front = false;
     /// Index of the next cut of the same piece; `last` if this is the last.
@@ -96,7 +96,7 @@ private:
     /// The cuts of all triangles of which cuts keep a part.
     std::vector<l3d_detail::plane_cut> plane_cuts_;
     l3d_depth_buffer places_; ///< in each pixel, the topmost piece's place in the order, as a depth
-    l3d_depth_buffer line_depths_; ///< depths of lines, which tell their fog
+    l3d_depth_buffer line_depths_; ///< depths of lines, which tell how much fog the lines get
 };
 
 #endif
