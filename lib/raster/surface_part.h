@@ -284,7 +284,8 @@ struct L3D_PUBLIC l3d_surface_part {
     /// may be missed. In a part without a grid, the lines are the sides of its triangles, in the
     /// triangles' order.
     std::vector<l3d_border_edge> border;
-    /// The blocks of the grid that need not be drawn: bit 4 * row + column is set for each.
+    /// The blocks of the grid that need not be drawn: bit 4 * row + column is set for each of these
+    /// blocks.
     unsigned unseen = 0;
     /// The colour of the whole part in mode `error`, a pixel word.
     l3d_color error_color = 0;

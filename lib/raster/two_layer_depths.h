@@ -13,7 +13,8 @@
 #include <span>
 #include <vector>
 
-/// The patch to which a part's polygons belong, and the patches of its model that it touches.
+/// The patch to which a part's polygons belong, and the patches of the same model that this patch
+/// touches.
 ///
 /// Lives: borrows the list `touching`.
 struct l3d_sheet_patch {
@@ -40,7 +41,8 @@ struct l3d_sheet_patch {
 class l3d_two_layer_depths {
 public:
     /// Starts an empty picture. In a parallel projection, depths are linear in the distance. Depths
-    /// change by depth_by_pixel if the distance changes by a pixel's width; in perspective it is 0.
+    /// change by depth_by_pixel if the distance changes by a pixel's width; in perspective,
+    /// depth_by_pixel is 0.
     /// Units: focal in pixels.
     void begin(l3d_size size, double focal, double depth_by_pixel = 0);
 

@@ -23,7 +23,8 @@ constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 template <bool x_major, class Minors> struct line_walk {
     std::uint32_t* at; ///< the next pixel's word, at the minor coordinate of the line's begin
     Minors minors;
-    std::ptrdiff_t along; ///< offset from a word to the next along the longer axis
+    /// Offset from a pixel's word to that of the next pixel along the longer axis.
+    std::ptrdiff_t along;
     std::ptrdiff_t stride;
 
     std::uint32_t* pixel() const { return at + across(minors.floor()); }

@@ -123,7 +123,8 @@ HWY_INLINE void put_words(const window& from, std::size_t row, std::uint8_t* val
         std::memcpy(values + used, &from.words[used / group][row], group);
 }
 
-/// Stores the values of two windows that share columns. Returns the number of their columns.
+/// Stores the values of two windows of a row that share columns. Returns the number of columns that
+/// both windows cover together.
 HWY_INLINE std::int32_t put_joint(const row_windows& windows, std::size_t row, double full,
                                   std::uint8_t* values) {
     const window &left = windows.left, &right = windows.right;

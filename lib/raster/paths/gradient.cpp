@@ -151,7 +151,8 @@ void l3d_gradient::add(double from, double to, double weight_from, double weight
 }
 
 /// The mean colour of a square over which the place in the gradient changes linearly. The density
-/// of places in the square is a trapezoid, as wide as both changes together.
+/// of the places' values in the square is a trapezoid. It is as wide as the changes over the
+/// square's width and height together.
 l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     const double wide = std::max(std::abs(of.right), std::abs(of.down));
     const double narrow = std::min(std::abs(of.right), std::abs(of.down));

@@ -47,7 +47,7 @@ struct mesh_cell {
     bool rises;                         ///< whether the cell's diagonal goes from (0, 1) to (1, 0)
 
     /// The corners of the cell's two triangles, the triangle above the diagonal first. The first
-    /// and the last corner of each are on the diagonal.
+    /// and the last corner of each triangle are on the diagonal.
     std::array<std::array<std::size_t, 3>, 2> triangles() const {
         if (rises)
             return {{{2, 0, 1}, {1, 3, 2}}};

@@ -116,7 +116,8 @@ double largest_mix(double a, double b, double c) {
     return most * (a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c));
 }
 
-/// Steps of equal length, at most 1 / `steps`, that are short enough for a part of a patch.
+/// The steps that a part of a patch needs: steps of at most 1 / `steps` of the whole parameter
+/// range are short enough.
 struct needed_steps {
     double steps;
     bool rising; ///< whether cells are cut along the rising diagonal

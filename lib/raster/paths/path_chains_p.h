@@ -72,7 +72,8 @@ public:
     /// Expects: the picture has rows 0 to height - 1, and the chain reaches at least one of them.
     chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height);
 
-    /// The first row that the chain reaches; bottom() is the row after the last.
+    /// The first row that the chain reaches; bottom() is the row after the last row that it
+    /// reaches.
     std::int32_t top() const { return top_; }
     std::int32_t bottom() const { return bottom_; }
     /// The place where the chain enters the picture.

@@ -48,7 +48,7 @@ private:
     struct joint {
         l3d_point_2d at;
         /// The path's directions at the end of the first chord and at the beginning of the second
-        /// one.
+        /// chord.
         l3d_point_2d ends, begins;
         double shortest; ///< the length of the shorter chord
         l3d_join join;

@@ -17,7 +17,7 @@ namespace l3d_detail {
 enum class cell_begin : std::uint8_t {
     enters, ///< the outline enters by the pixel's top, right or bottom side, or by an unknown side
     continues,   ///< the edge begins where the outline's edge before it ends
-    unclear,     ///< the outline's first corner lies in the pixel, or it may cross itself there
+    unclear,     ///< the outline begins at a corner in the pixel, or may cross itself in the pixel
     enters_left, ///< the outline enters by the pixel's left side
 };
 

@@ -67,7 +67,7 @@ HWY_ATTR HWY_INLINE number x_at(const straight_edge& edge, number y) {
 /// A chain in a block of rows. Each lane is a row.
 struct side_lanes {
     number enters, leaves, corners, least, most;
-    mask few; ///< rows with few enough corners; unset if the chain is straight
+    mask few; ///< rows with at most few_corners corners; unset if the chain is straight
     std::size_t most_corners = 0;
 
     HWY_ATTR HWY_INLINE side_lanes(const side_block& block, const row_heights& y, std::size_t at) {

@@ -83,7 +83,7 @@ std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
 
 constexpr std::size_t most_dashes = 1000000;
 
-/// The length of a path's control polygons. No outline is longer than its control polygon.
+/// Adds up the lengths of a path's control polygons. No outline is longer than its control polygon.
 struct length_visitor {
     double length = 0;
     l3d_point_2d begin{}, at{};

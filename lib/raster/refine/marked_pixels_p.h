@@ -14,8 +14,8 @@
 
 namespace l3d_detail {
 
-/// A pixel that is sampled for anti-aliasing, and the facts about the polygons that were added to
-/// it.
+/// A pixel that is sampled for anti-aliasing, and what is known about the polygons that were added
+/// to the pixel.
 struct marked_pixel {
     std::int32_t x, y;
     std::uint32_t last; ///< index of the fragment that was added to the pixel last

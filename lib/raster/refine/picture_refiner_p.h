@@ -17,8 +17,8 @@
 
 namespace l3d_detail {
 
-/// The data of a frame that refining needs: all items of the frame, and the picture drawn from
-/// these.
+/// The data of a frame that refining needs: all items of the frame, and the picture drawn from the
+/// items.
 struct drawn_frame {
     const l3d_pixels& target;
     l3d_depth_buffer& depth; ///< the depths of the whole picture

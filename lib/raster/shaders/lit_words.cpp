@@ -229,7 +229,8 @@ struct pixel_row {
     lane_vector own_right; ///< the change of `own` from a column to the next
 };
 
-/// The words of lit pixels, found for one material at a time. Most vectors have only one material.
+/// The pixel words of a vector of lit pixels. They are found for one material at a time. Most
+/// vectors have only one material.
 template <std::size_t Channels>
 HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
                                  const word_vec* colors, word_vec there, float_mask filled) {

@@ -71,7 +71,8 @@ public:
     /// Finds the farthest depth of each tile of the band into which something was drawn.
     void refresh(const fill_band& band);
 
-    /// Whether something may have been drawn into the pixel's tile. If not, its depth is undefined.
+    /// Whether something may have been drawn into the pixel's tile. If not, the pixel's depth is
+    /// undefined.
     bool drawn_at(std::int32_t x, std::int32_t y) const {
         const auto column = static_cast<std::size_t>(x / depth_tile::width);
         const auto row = static_cast<std::size_t>(y / depth_tile::height);

@@ -241,7 +241,7 @@ private:
     int_vec from_column_, to_column_, from_row_, to_row_;
     int_mask live_, large_;
     int_mask at_edge_; ///< polygons in which a row may begin where a run does not fit the picture
-    /// At corners a, b and d, the cross product of the two sides that meet there.
+    /// For corners a, b and d, the cross product of the two sides that meet at the corner.
     int_vec turn_a_, turn_b_, turn_d_;
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;

@@ -232,8 +232,8 @@ private:
         return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};
     }
 
-    /// A lower bound of the squared length of a sum of normals. If the normals cancel, the sum gets
-    /// no light but the ambient one.
+    /// A lower bound of the squared length of a sum of normals. If the normals cancel each other,
+    /// the polygon gets only ambient light.
     static constexpr float least_square = 1e-30f;
 
     const l3d_shading& shading_;

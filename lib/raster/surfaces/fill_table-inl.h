@@ -31,7 +31,8 @@ alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6, 
 /// polygon within this limit covers at most most_pixels + 1 rows and columns.
 constexpr std::int32_t most_pixels = 64;
 
-/// Polygons are set up together, one in each lane of a vector.
+/// Polygons are set up together, one in each lane of a vector. A queue has room for the widest
+/// vector.
 static_assert(lanes <= fill_queue::widest_vector);
 
 /// The way in which a pixel's grey is found from `lit`, which is a plane over the polygon.

@@ -179,7 +179,7 @@ private:
         target_.counts.written += written;
     }
 
-    /// Fills rows as fill_row does, some rows at a time in lanes.
+    /// Fills rows as fill_row does, but several rows at a time, in lanes.
     void fill_in_lanes(scan_rows rows, const planes& plane, float farthest, float nearest) {
         wide_polygon of{.planes = plane.view(),
                         .farthest = farthest,

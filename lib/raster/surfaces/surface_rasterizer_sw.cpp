@@ -273,7 +273,8 @@ void l3d_surface_rasterizer_sw::finish_band(int index, const fill_band& band) {
         color_band(band); // nothing else will be drawn, and the band is in the cache
 }
 
-/// The memory of a band. Depth and normals are the worker's own if nobody wants the picture's.
+/// The memory of a band. Depths and normals are in the worker's own memory, unless those of the
+/// whole picture are kept.
 fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
     const int top = window_.top + index * rows_, bottom = std::min(top + rows_, window_.bottom);
     l3d_depth_buffer& depth = depth_ ? *depth_ : work_->worker_depths[worker];

@@ -45,8 +45,8 @@ struct picture_map {
     }
 };
 
-/// A picture_map in floats, for parameters relative to some parameters of the patch. Shape: u and v
-/// of the texture's picture.
+/// A picture_map in floats, for parameters relative to those of one place on the patch. Shape: u
+/// and v of the texture's picture.
 ///
 /// Cost: floats round parameters by 2^-24 of the patch. This rounding is seen only where a patch
 ///       repeats a picture more often than pixels could show.

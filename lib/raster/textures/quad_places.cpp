@@ -96,8 +96,8 @@ struct place_rows {
     float *u, *v, *u_right, *v_right, *u_down, *v_down;
 };
 
-/// Finds the places of the texture that pixels show, and the changes to the next pixels. Pixels
-/// outside of `shown` get changes of 0.
+/// Finds the places of the texture that pixels show, and the changes from these places to the
+/// places of the next pixels. Pixels outside of `shown` get changes of 0.
 HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<floats> shown, const place_rows& to) {
     const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
     float_vec s = set(0.5F), t = set(0.5F);

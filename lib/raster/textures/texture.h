@@ -21,8 +21,9 @@
 /// The way to find a pixel's colour in a texture's picture, from the part of this picture that the
 /// pixel covers.
 enum class L3D_PUBLIC l3d_texture_filter {
-    nearest,  ///< the colour of the picture's pixel under the middle of the drawn pixel
-    bilinear, ///< bilinear interpolation between the picture's four pixels around this middle
+    nearest, ///< the colour of the picture's pixel under the middle of the drawn pixel
+    /// Bilinear interpolation between the picture's four pixels around the drawn pixel's middle.
+    bilinear,
     /// Bilinear interpolation in two neighbouring copies of the picture, one of which may be the
     /// picture itself, and linear interpolation between both. The pixels of the larger copy are not
     /// wider than the part is long; those of the smaller copy are wider.
@@ -79,7 +80,8 @@ public:
     /// `trilinear`.
     static constexpr int most_samples = 16;
 
-    /// Makes a texture from a copy of the picture. The highest bytes of its words are ignored.
+    /// Makes a texture from a copy of the picture. The highest bytes of the picture's words are
+    /// ignored.
     /// Expects: a width and a height that are not 0.
     explicit l3d_texture(const l3d_pixels& picture,
                          l3d_texture_wrap wrap_u = l3d_texture_wrap::repeat,

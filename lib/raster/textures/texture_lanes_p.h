@@ -15,8 +15,8 @@ namespace l3d_detail {
 
 /// The pixels of an l3d_texture in memory. Lives: borrows the texture.
 struct texture_view {
-    /// The largest number of mip levels, the picture and its smaller copies: a width or height can
-    /// be halved 31 times.
+    /// The largest number of mip levels, which are the picture and its smaller copies. A width or
+    /// height can be halved 31 times.
     static constexpr std::size_t most_levels = 32;
     /// The pixels of all mip levels. Each word has the square roots of the light of red, green and
     /// blue, from the highest bit on. The largest numbers stand for the light of white. Each mip
