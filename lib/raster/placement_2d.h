@@ -91,7 +91,7 @@ enum class L3D_PUBLIC l3d_image_filter {
 };
 
 /// An image and its place in the picture. The image's pixel (i, j) is a square around (i, j), as in
-/// l3d_rasterizer_2d. So the default placement draws it into the picture's top left corner.
+/// l3d_rasterizer_2d. So the default placement draws the image into the picture's top left corner.
 struct L3D_PUBLIC l3d_placed_image {
     l3d_pixels pixels;        ///< the image; borrowed while drawing
     l3d_placement_2d place{}; ///< place of the image in the picture

@@ -35,8 +35,8 @@ struct L3D_PUBLIC l3d_shading {
     bool keep_unit_normals = false;
 
     /// Whether pixels at edges show the mean light over their squares. Light is linear: levels are
-    /// decoded by the sRGB curve, and the mean is encoded again. A rasterizer that cannot do it
-    /// ignores the wish (l3d_surface_rasterizer::antialiases).
+    /// decoded by the sRGB curve, and the mean is encoded again. A rasterizer that cannot smooth
+    /// edges ignores this member (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
 
     /// The picture's colours where no surface covers a pixel, or a part of a pixel.
@@ -109,13 +109,14 @@ struct L3D_PUBLIC l3d_shading {
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
-/// The largest error of interpolated levels that frames report; polygons with more are counted in
-/// `unproven_levels`. Errors come from quads that are not parallelograms, and from changes of w.
+/// The largest error of interpolated levels that frames report; polygons with a larger error are
+/// counted in `unproven_levels`. Errors come from quads that are not parallelograms, and from
+/// changes of w.
 /// Units: levels of 255.
 inline constexpr double l3d_most_level_error = 0.25;
 
 /// The largest error of interpolated normals that lit frames report. An error is the length of the
-/// difference from the exact normal. Polygons with more are counted in `unproven_levels`.
+/// difference from the exact normal. Polygons with a larger error are counted in `unproven_levels`.
 inline constexpr double l3d_most_normal_error = 1.0 / 256;
 
 /// Counts of the work of one frame, for reports and tests.
@@ -264,8 +265,8 @@ public:
     /// Whether earlier calls of draw in this frame hide everything in a box that is no nearer than
     /// `nearest_inv_w`. False when in doubt.
     ///
-    /// Cost:    some nanoseconds for each 16 x 8 pixels of the box. Any number of threads may ask
-    ///          while none draws.
+    /// Cost:    some nanoseconds for each 16 x 8 pixels of the box. Any number of threads may call
+    ///          hidden() while no thread draws.
     bool hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
         return do_hidden(box, nearest_inv_w);
     }

@@ -52,7 +52,7 @@ public:
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
     /// The least error of surfaces, in the picture or along their normals, with which another sheet
-    /// could be the nearest one at this pixel.
+    /// could be the nearest sheet at this pixel.
     /// Units: pixels; infinite if there is only one sheet.
     float gap(int x, int y) const { return at(x, y).gap; }
 

@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// Finds the mean light of several pictures: adds up their light, each with a weight. A partly
-/// transparent pixel adds less light.
+/// Finds the mean light of several pictures: adds up the pictures' light, each picture's with a
+/// weight. A partly transparent pixel adds less light.
 /// Cost: keep one object for many pictures, since it keeps its memory.
 class light_mix {
 public:

@@ -25,7 +25,7 @@ inline constexpr int l3d_most_threads = 1024;
 inline constexpr std::size_t l3d_stack_bytes = 128 * 1024;
 
 /// The reason why this number of threads cannot draw together, in words that name the number; "" if
-/// they can.
+/// this number of threads can draw together.
 L3D_PUBLIC std::string l3d_threads_complaint(int threads);
 
 /// The limit of threads that draw by default.
@@ -71,7 +71,7 @@ public:
     void interrupt_when(std::function<bool()> wanted) { is_unwanted_ = std::move(wanted); }
 
     /// Asks the question of interrupt_when, if a fiftieth of a second has passed. Long loops of the
-    /// caller's thread that are not divided into items call it.
+    /// caller's thread that are not divided into items call this function.
     /// Errors:  l3d_interrupted.
     /// Cost:    a look at the clock.
     void ask() {

@@ -114,8 +114,8 @@ struct pair_spans {
 };
 
 /// Finds the spans between two chains, row by row. It leaves out rows in which the chains cross,
-/// and rows in which a chain has many corners or reaches across many columns. Returns the rows left
-/// out, a bit for each.
+/// and rows in which a chain has many corners or reaches across many columns. Returns a bit for
+/// each row, which is 1 if the row was left out.
 /// Expects: x >= 0.
 std::uint32_t cover_rows(const side_pair& pair, pair_spans& result);
 

@@ -64,8 +64,8 @@ private:
 /// Walks along a curve by forward differences that halve and double their step.
 ///
 /// In a step with differences d1, d2, d3, a coordinate changes at most by |d1| + |d2| / 2 + |d3| /
-/// 3, the bound of its derivative. The step is halved until this change is at most one pixel. It is
-/// doubled as soon as the change in a double step is at most one pixel, too.
+/// 3, which is a bound of its derivative. The step is halved until this change is at most one
+/// pixel. It is doubled as soon as the change in a double step is at most one pixel, too.
 /// Units:   pixels from `origin`, which keeps numbers, and so rounding errors, small.
 /// Expects: a curve that 512 or fewer equal steps divide into changes of at most one pixel. Then at
 ///          most 1024 steps are made, and rounding errors are below 2^-20 pixel; NUMERICS.md,

@@ -52,8 +52,8 @@ struct flat_plan {
 
 /// Finds the number of chords that keep within a distance of the curve.
 ///
-/// The chords' ends are moved off the curve, to the outer side of its bend, so that chords err to
-/// both sides alike. NUMERICS.md, section 20.
+/// The chords' ends are moved off the curve, to the outer side of its bend, so that the chords'
+/// errors are equally large on both sides of the curve. NUMERICS.md, section 20.
 flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
 
 /// The length of the first and the last step, in units of the other steps' length. These two steps

@@ -112,8 +112,9 @@ private:
 
 /// A tensor product patch with a colour at each corner, as in PDF shadings of type 7.
 ///
-/// Shape:   points[row][column]: rows along v, columns along u. The colours are those at (u, v) =
-///          (0, 0), (1, 0), (0, 1), (1, 1), bilinear between these corners.
+/// Shape:   points[row][column]: rows along v, columns along u. The member `colors` has the colours
+///          at (u, v) = (0, 0), (1, 0), (0, 1), (1, 1). Between these corners, colours are
+///          bilinear.
 struct L3D_PUBLIC l3d_mesh_patch {
     std::array<std::array<l3d_point_2d, 4>, 4> points; ///< control points, in pixels
     std::array<std::uint32_t, 4> colors{};             ///< the colours at the corners, 0x00RRGGBB

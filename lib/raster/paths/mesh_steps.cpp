@@ -13,8 +13,8 @@ namespace {
 /// The largest errors of a dicing. A colour may be `place_error` pixels from its place on the
 /// patch. A linear colour may be `level_error` levels from the bilinear colour.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
-/// The largest number of steps in a quarter. With this number of steps, each triangle of a patch
-/// covers some 2^-5 pixels in pictures of 2^14 pixels a side.
+/// The largest number of steps in a quarter. If a patch fills a picture of 2^14 pixels a side, each
+/// of its 512 x 512 cells is then 2^5 pixels wide.
 constexpr int most_steps = 128;
 
 /// Four control numbers in a row of a net. A net has one coordinate of a bicubic patch's control

@@ -95,7 +95,7 @@ private:
 };
 
 /// Takes outlines, and cuts them at the sides of a picture. An outline that turns only once upwards
-/// and once downwards is cut into two chains, too.
+/// and once downwards is also cut into two chains.
 ///
 /// Corners outside of the picture move to its sides. So outlines stay closed, and windings inside
 /// of the picture stay the same. Horizontal edges belong to the chain that comes before these edges

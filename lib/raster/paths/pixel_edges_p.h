@@ -41,14 +41,15 @@ struct edge_record {
 /// Some edges of a pixel, one in each lane.
 ///
 /// The winding number must not change where an edge meets the pixel's left side. So an edge whose
-/// upper end lies on that side goes on upwards along it, and an edge whose lower end lies on it
-/// goes on downwards. A horizontal edge counts only by this part along the left side.
+/// upper end lies on that side goes on upwards along it, and an edge whose lower end lies on that
+/// side goes on downwards. A horizontal edge counts only by this part along the left side.
 /// Units:   x and y from 0 to 1, from the pixel's top left corner.
 struct alignas(64) edge_block {
     static constexpr std::size_t size = 8;
     using numbers = std::array<double, size>;
 
-    /// Upper and lower end; before place_edges, begin and end in the picture.
+    /// The upper and the lower end of each edge. Before place_edges, they are the beginning and the
+    /// end of the edge in the picture.
     numbers x0, y0, x1, y1;
     numbers slope; ///< dx / dy; 0 for a horizontal edge
     /// 1 for an edge that leads upwards, which adds 1 to the winding on its right; else -1. A
@@ -110,7 +111,7 @@ edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
 
 /// Sets each edge's `top` and `bottom` to the heights between which it may pass fields of
-/// find_open; an edge that passes none gets an empty range.
+/// find_open; an edge that passes none of these fields gets an empty range.
 void set_heights(const pixel_edges& edges, std::uint64_t open);
 
 } // namespace l3d_detail

@@ -39,7 +39,8 @@ struct row_edge {
     std::uint8_t layer; ///< 0: an edge of the filled path; 1: of its clip path
 };
 
-/// The winding numbers of a place: in the filled path, and in the path that clips it.
+/// The winding numbers of a place: one number for the filled path, and one for the path that clips
+/// it.
 struct windings {
     std::array<int, 2> turns{};
 
@@ -108,8 +109,8 @@ public:
     void add_cluster(std::span<const row_edge> edges, const windings& left, const fill_rules& rules,
                      std::span<const winding_change> changes = {});
 
-    /// Adds a single border, from x0 to x1, independent of other borders. `height` is its height in
-    /// the row, negative if the inside is on its left.
+    /// Adds a single border, from x0 to x1, independent of other borders. `height` is the border's
+    /// height in the row, negative if the inside is on the border's left.
     void add_border(double x0, double x1, double height);
 
     /// The differences of areas from column to column, to be summed up from the left. There are two

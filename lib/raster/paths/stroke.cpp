@@ -29,8 +29,8 @@ l3d_point_2d unit(l3d_point_2d v) {
 }
 
 /// The vector between two points, divided by the square of its length. For neighbouring chords of a
-/// circle, the sum of two such vectors has the circle's direction where the chords meet. The reason
-/// is that the circle turns from each chord by half the angle of the chord's arc.
+/// circle, the sum of both chords' results has the circle's direction where the chords meet. The
+/// reason is that the circle turns from each chord by half the angle of the chord's arc.
 l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
     const double x = to.at.x - from.at.x, y = to.at.y - from.at.y, square = x * x + y * y;
     return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};

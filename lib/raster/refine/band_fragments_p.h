@@ -48,10 +48,10 @@ public:
     /// Folded quads are added in pieces. `levels` tells whether the mode is l3d_shade::levels.
     void add(const band_list& list, const band_item& item, bool levels);
 
-    /// Opens each closed pixel again that has a sample which no polygon covers, and removes its
-    /// fragments. Returns whether any pixel is open again. If so, the caller has to add all items
-    /// once more; only the pixels opened again take fragments of these. Samples stay uncovered at
-    /// slits, and farther surfaces may be seen there.
+    /// Opens closed pixels again that have samples which no polygon covers, and removes the
+    /// fragments of these pixels. Returns whether any pixel is open again. If so, the caller has to
+    /// add all items once more; only the pixels opened again take fragments of these. Samples stay
+    /// uncovered at slits, and farther surfaces may be seen there.
     bool reopen() { return pixels_.reopen(); }
 
     std::span<const marked_pixel> pixels() const { return pixels_.pixels(); }

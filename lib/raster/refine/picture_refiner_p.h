@@ -33,8 +33,8 @@ struct drawn_frame {
 };
 
 /// Finds the pixels at edges, and draws them again with anti-aliasing. A pixel is at an edge if a
-/// visible contour passes through it, or if its level jumps to a neighbour's. Each pixel at an edge
-/// then shows the mean light of its 64 samples.
+/// visible contour passes through it, or if the level jumps from it to a neighbour. Each pixel at
+/// an edge then shows the mean light of its 64 samples.
 ///
 /// The pixels of a band depend on the items of the frame, and on the unrefined levels and depths
 /// around the pixels. So refined pixels depend neither on the division into bands nor on the number

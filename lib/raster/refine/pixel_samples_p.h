@@ -29,7 +29,7 @@ struct fragment_polygon {
     float light[3][4]; ///< the three numbers of l3d_micro_vertex::normal at each corner
     std::int32_t corners;
     /// The colour of the polygon's material, or in mode `error` the colour of its part. In frames
-    /// that are lit or that see exact patches, it is the material's index instead.
+    /// that are lit or that see exact patches, this member is the material's index instead.
     std::uint32_t color;
     /// Twice the polygon's area, positive if its corners turn to the right; not 0.
     std::int64_t area2;

@@ -201,8 +201,8 @@ private:
     }
 
     /// Adds a light from direction l. A highlight needs the direction half-way between l and the
-    /// eye. With the ray e from the eye, this is the direction of h = l |e| - e. Then h.h = 2 |e|
-    /// (|e| - l.e), and n.h = |e| n.l - n.e for the normal n.
+    /// eye. With the ray e from the eye, the half-way direction is that of h = l |e| - e. Then h.h
+    /// = 2 |e| (|e| - l.e), and n.h = |e| n.l - n.e for the normal n.
     void add_light(const seen_light& light, const seen_normal& seen, l3d_light_color& scattered,
                    l3d_light_color& mirrored) const {
         const float lit = dot(light.direction, seen.normal.data());

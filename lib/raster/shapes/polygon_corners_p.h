@@ -26,8 +26,8 @@ bool is_number(l3d_point_2d position);
 /// Cost: allocates when there are more corners than ever before.
 class polygon_corners {
 public:
-    /// Sets the corners of a polygon. Returns false if it draws nothing: it has fewer than three
-    /// corners or no area, or a coordinate is not a number.
+    /// Sets the corners of a polygon. Returns false if the polygon covers nothing: it has fewer
+    /// than three corners or no area, or a coordinate is not a number.
     bool set(std::span<const l3d_point_2d> corners);
 
     /// Whether the corners go round clockwise, as seen on the screen with y down.

@@ -43,7 +43,7 @@ struct tile_pixels {
 };
 
 /// Calls visit(word, bits) for all words of a bit table's row that hold bits [begin, end), until a
-/// call returns false. Returns whether no call returned false.
+/// call returns false. Returns whether all calls returned true.
 template <class Visit> bool visit_bits(std::int32_t begin, std::int32_t end, const Visit& visit) {
     constexpr std::int32_t bits = 64;
     for (std::int32_t word = begin / bits; word * bits < end; ++word) {

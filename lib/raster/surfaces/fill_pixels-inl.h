@@ -306,7 +306,8 @@ private:
 };
 
 /// Fills the polygons of a table in their order. Returns how many pixels were written.
-/// Shape: all polygons have the shape `Shape`, except that some of the twisted ones may be flat.
+/// Shape: all polygons have the shape `Shape`, except that polygons in a table of twisted polygons
+///        may be flat.
 template <fill_shape Shape>
 HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
     fill_polygons polygons(band, table);

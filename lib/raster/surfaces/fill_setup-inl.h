@@ -209,7 +209,7 @@ struct lane_places {
     float_vec column_s, column_t;
     int_mask fits, piece; ///< polygons that are filled with this vector, and pieces of quads
     int_mask triangle;    ///< polygons that are triangles: corner d is c again
-    /// Distance between the middles of a quad's diagonals, in parts of the diagonals.
+    /// The distance between the middles of a quad's two diagonals, as a share of the diagonals.
     float_vec uneven;
 };
 

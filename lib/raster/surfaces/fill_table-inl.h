@@ -41,7 +41,7 @@ enum class fill_shape {
     flat,    ///< lit is the cosine times 229.5
     twisted, ///< lit / sqrt(bend) is the cosine times 229.5, with its sign turned where facing < 0
     bent,    ///< lit is the cosine times 229.5, as a parabola instead of a plane
-    normal   ///< lit is one of three components of a normal, each a plane
+    normal   ///< lit is the x of a normal; the normal's y and z are planes of their own
 };
 
 /// An array with a number for each polygon in a vector.

@@ -177,7 +177,7 @@ void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, c
 
 /// The bends of a quad's sides and diagonals in mode l3d_shade::levels: the level in the middle of
 /// a side or diagonal, less the mean of the levels at its ends. In the middle of the quad's
-/// parameters, the level is the corners' mean, plus the mean bends of both pairs of opposite sides.
+/// parameters, the level is the corners' mean, plus the mean bend of each pair of opposite sides.
 struct quad_bends {
     float ab, ad, bc, dc, ac, bd;
 

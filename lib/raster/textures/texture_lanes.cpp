@@ -318,8 +318,8 @@ void take_names(const std::uint32_t* words, const float* depths, std::size_t cou
         to.names[i] = depths[i] > 0 ? words[i] >> 8 : no_name;
 }
 
-/// The product of a grey level and a colour's channel, divided by 255 and rounded: with x the
-/// product plus 128, it is (x + floor(x / 256)) / 256.
+/// The product of a grey level and a colour's channel, divided by 255 and rounded. Let x be the
+/// product plus 128; then the result is (x + floor(x / 256)) / 256.
 HWY_INLINE int_vec product_over_255(int_vec a, int_vec b) {
     const int_vec x = hn::Add(hn::Mul(a, b), set(128));
     return hn::ShiftRight<8>(hn::Add(x, hn::ShiftRight<8>(x)));
