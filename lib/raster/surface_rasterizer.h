@@ -93,7 +93,8 @@ struct L3D_PUBLIC l3d_shading {
 
     /// Whether pixels of these materials need more than a grey level. They need more if the lights
     /// are not the usual lights, or if a material has highlights. In modes that do not show light,
-    /// they never need more. Modes `gouraud` and `levels` are then drawn as `lambert`.
+    /// they never need more. If pixels need more, modes `gouraud` and `levels` are drawn as
+    /// `lambert`.
     bool is_lit(std::span<const l3d_material> materials) const {
         return l3d_is_light(mode) &&
                !(lighting.is_usual() && std::ranges::all_of(materials, [](const l3d_material& m) {

@@ -110,7 +110,8 @@ private:
     std::span<const l3d_mesh_patch> patches_;
     std::vector<mesh_dicing> dicings_;
     mesh_knots along_, down_;
-    /// For each cell of a strip, whether its diagonal rises; has room for more lanes, as mesh_row.
+    /// For each cell of a strip, whether its diagonal rises; the vector has room for more lanes, as
+    /// mesh_row has.
     std::vector<double> rises_;
     mesh_row above_, below_;
 };

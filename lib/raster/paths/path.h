@@ -26,8 +26,8 @@
 using l3d_curve_2d = l3d_bezier_curve<double, 3>;
 
 /// The largest distance of a drawn curve from the exact one, in pixels. If the curves in a pixel
-/// are two pixels long together, these errors and rounding to 8 bits change its coverage by less
-/// than 1 / 255. See NUMERICS.md, section 20.
+/// are two pixels long together, these errors and rounding to 8 bits change the pixel's coverage by
+/// less than 1 / 255. See NUMERICS.md, section 20.
 inline constexpr double l3d_flat_enough = 1.0 / 1024;
 
 /// A path: outlines that begin with move_to, and continue with lines and curves.

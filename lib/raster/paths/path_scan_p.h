@@ -48,8 +48,8 @@ public:
     std::span<const covered_span> convert(const order& wanted);
 
     /// The values of the columns before and after the middles of spans; covered_span::values is an
-    /// index of this array. Behind a span's values, as many more may be read as a vector has 32-bit
-    /// lanes.
+    /// index of this array. Behind a span's values, as many more values may be read as a vector has
+    /// 32-bit lanes.
     const std::uint8_t* values() const { return writer_.values().data(); }
 
 private:

@@ -63,7 +63,7 @@ public:
     std::int32_t first(std::int32_t row) const { return span_of(row)[left]; }
     std::int32_t last(std::int32_t row) const { return span_of(row)[right]; }
 
-    /// The spans of some of the rows that convert returned.
+    /// The spans of `rows`. Expects: rows that convert() returned.
     std::span<const scan_ends> ends(scan_rows rows) const {
         return {&span_of(rows.top), static_cast<std::size_t>(rows.bottom - rows.top)};
     }

@@ -45,8 +45,8 @@ struct fill_counts {
     std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
     std::int64_t written = 0; ///< samples that were nearer than the depth of their pixels
 
-    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
-    /// once in every band.
+    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. A polygon
+    /// counts once in every band in which it is filled.
     std::int64_t by_plane = 0;
 
     /// In mode `levels`, the largest error of levels, as in l3d_surface_counts.

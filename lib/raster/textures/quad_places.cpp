@@ -90,8 +90,8 @@ struct lane_quad {
     }
 };
 
-/// Arrays for pixels' places in the texture, and for the changes to the pixels on the right and
-/// below.
+/// Arrays for pixels' places in the texture, and for the changes from these to the places of the
+/// pixels on the right and below.
 struct place_rows {
     float *u, *v, *u_right, *v_right, *u_down, *v_down;
 };

@@ -26,7 +26,8 @@ namespace {
 /// picture, and its square is still a float.
 constexpr float widest = 0x1p60F;
 
-/// Wraps places along one axis, so that they lie from 0 to 1, the picture's borders.
+/// Wraps places along one axis, so that they lie between the picture's borders, which are at 0 and
+/// 1.
 HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     const float_vec one = set(1.0F);
     switch (wrap) {
