@@ -13,15 +13,15 @@
 #include <cstdint>
 #include <optional>
 
-/// The bits of a pixel word that make it transparent by this share: its highest byte, from 0 to
-/// 255, shifted to its place in the word.
+/// The bits that make a pixel word transparent by this share. They are the word's highest byte: 255
+/// times the share, rounded.
 /// Expects: a share from 0 to 1.
 inline std::uint32_t l3d_transparency_of(float share) {
     return static_cast<std::uint32_t>(255 * share + 0.5f) << 24;
 }
 
-/// The background of a picture: one colour, two that pass into each other from top to bottom, or
-/// none. By default it is black.
+/// The background of a picture: one colour, two colours that pass into each other from top to
+/// bottom, or nothing. By default it is black.
 ///
 /// Each row has one colour. So a pixel's background is the same whether a frame draws the whole
 /// picture or a part of it.
@@ -38,14 +38,14 @@ struct L3D_PUBLIC l3d_background {
     /// No background: its pixel words are l3d_pixels::transparent, and a PNG gets an alpha channel.
     static constexpr l3d_background none() { return color(l3d_pixels::transparent); }
 
-    /// Whether nothing is behind the surfaces.
+    /// Whether this is the background of none(): nothing is behind the surfaces.
     constexpr bool is_none() const { return top == l3d_pixels::transparent; }
 
     /// Whether red, green and blue are equal in each row.
     constexpr bool is_grey() const { return is_grey(top) && is_grey(bottom); }
 
-    /// The pixel word of a row in a picture of this height. Each channel changes linearly from the
-    /// first to the last row, and is rounded to the nearest level.
+    /// The background's pixel word in a row, if the picture has this height. Each channel changes
+    /// linearly from the first to the last row, and is rounded to the nearest level.
     /// Expects: 0 <= row < height.
     constexpr std::uint32_t word(int row, int height) const {
         if (top == bottom)
@@ -78,13 +78,13 @@ private:
 
 /// Fog, or depth cueing if its colour is black. Surfaces nearer than `from` look as without fog;
 /// surfaces at `to` and beyond have the fog's colour. Between these distances, fog grows linearly.
-/// By default there is none.
+/// By default there is no fog.
 ///
 /// Units: distances along the view axis, in world units.
 struct L3D_PUBLIC l3d_fog {
     float from = 0; ///< distance at which fog begins
     float to = 0;   ///< distance at which fog hides everything
-    /// The fog's pixel word; none: the background's colour in each row.
+    /// The fog's pixel word. Without a word, fog has the background's colour in each row.
     std::optional<l3d_color> color{};
 
     /// Whether there is any fog.
@@ -105,7 +105,7 @@ struct L3D_PUBLIC l3d_fog {
                l3d_screen_info::light_native(fog, amount);
     }
 
-    /// The fog's colour in a row of a picture of this height.
+    /// The fog's colour in a row, if the picture has this height.
     std::uint32_t in_row(const l3d_background& background, int row, int height) const {
         return color ? *color : background.word(row, height);
     }

@@ -36,8 +36,8 @@ template <class T> struct L3D_PUBLIC line_allocator {
 /// The depth of each pixel as a float: 1 / (distance along the view axis), and 0 where no surface
 /// is.
 ///
-/// The reciprocal of the distance is linear in the picture for a plane. A depth of 0 means
-/// infinitely far, so it marks an empty pixel.
+/// For a plane, the reciprocal of the distance is a linear function of the place in the picture. A
+/// depth of 0 means infinitely far, so it marks an empty pixel.
 ///
 /// Shape:   each row begins at a cache line. Rows are `pitch` floats apart, an odd multiple of 64.
 ///          A multiple of 1024 floats, 4 KB, would be slow. Processors tell addresses apart by

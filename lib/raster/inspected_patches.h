@@ -16,7 +16,7 @@
 struct l3d_inspected_patches {
     using vector = l3d_vector<double, 3>;
 
-    /// Pixels per unit at distance 1.
+    /// The size, in pixels, at which a world unit is seen at distance 1.
     double focal = 1;
     /// The column of the picture's middle, in pixels.
     double centre_x = 0;
@@ -26,7 +26,7 @@ struct l3d_inspected_patches {
     vector light{0.0, 0.0, 1.0};
     /// The unit vector from which draft angles are measured.
     vector direction{0.0, 1.0, 0.0};
-    /// The control nets of the patches, in the order of the material numbers of their parts.
+    /// The control nets of the patches. A part's material number is the index of its patch's net.
     std::vector<l3d_bezier_patch<double, 3>> nets;
     /// The patches' materials, for a program's own shade; empty for other shades.
     std::vector<l3d_material> materials;

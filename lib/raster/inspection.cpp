@@ -18,7 +18,8 @@ using l3d_detail::linear_light_tables;
 /// The colours of curvature: five stops from -scale to scale.
 constexpr std::array<std::uint32_t, 5> of_curvature{0x001f3fb4, 0x0048a8dc, 0x00f4f4f4, 0x00f0a040,
                                                     0x00b81f24};
-/// The colours of draft angles. A red part does not leave the mould, a yellow one hardly does.
+/// The colours of draft angles. A part that is shown red does not leave its mould; a yellow part
+/// hardly leaves it.
 constexpr std::array<std::uint32_t, 5> of_draft{0x00a81c1c, 0x00e06a30, 0x00f6e468, 0x006cb84c,
                                                 0x001c7038};
 constexpr std::uint32_t no_number = 0x00808080;

@@ -29,7 +29,8 @@ struct L3D_PUBLIC l3d_far_light {
 /// distance.
 struct L3D_PUBLIC l3d_point_light {
     l3d_vector<double, 3> position{0.0, 0.0, 0.0}; ///< the light's place, world space
-    /// The distance at which the light is as bright as its colour; 0: it is so at every distance.
+    /// The distance at which the light is as bright as its colour. 0: the light is as bright as its
+    /// colour at every distance.
     float reach = 0;
     l3d_light_color color{1, 1, 1}; ///< the light's brightness at the distance `reach`
 
@@ -65,10 +66,10 @@ struct L3D_PUBLIC l3d_lighting {
     l3d_light_color ambient{0.1F, 0.1F, 0.1F};
     /// The first light's colour.
     l3d_light_color color{1, 1, 1};
-    /// The far lights besides the first; `count` of them are used.
+    /// The far lights besides the first. The first `count` elements are used.
     std::array<l3d_far_light, most_further> lights{};
     std::size_t count = 0; ///< the number of far lights besides the first; at most most_further
-    /// The lights at places; `point_count` of them are used.
+    /// The lights at places. The first `point_count` elements are used.
     std::array<l3d_point_light, most_points> points{};
     std::size_t point_count = 0; ///< the number of lights at places; at most most_points
 
@@ -84,7 +85,7 @@ struct L3D_PUBLIC l3d_lighting {
     /// Adds a light at a place. Expects: point_count < most_points.
     void add_point(const l3d_point_light& light) { points[point_count++] = light; }
 
-    /// Whether these are the default lights.
+    /// Whether all lights are the default lights.
     bool is_usual() const { return *this == l3d_lighting(); }
 
     friend bool operator==(const l3d_lighting&, const l3d_lighting&) = default;

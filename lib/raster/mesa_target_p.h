@@ -58,8 +58,8 @@ public:
     void download(const l3d_pixels& pixels);
 
     /// Empties the picture and the depth before surfaces are drawn.
-    /// Expects: surfaces are drawn with an alpha of 0, as empty pixels are marked by another alpha.
-    ///          On a black background, empty pixels need no mark.
+    /// Expects: surfaces are drawn with an alpha of 0. Empty pixels are marked by another alpha,
+    ///          except on a black background, where they need no mark.
     void clear(const l3d_background& background);
     /// Copies the picture that was drawn since clear() to pixels in memory. Empty pixels get the
     /// background.
@@ -68,8 +68,8 @@ public:
     /// Copies the depth to memory. GL keeps it as inv_w * depth_scale. Expects: with_depth.
     void download(l3d_depth_buffer& depth);
 
-    /// The factor between inv_w and GL's depth. As a power of two it loses no bits. It puts every
-    /// inv_w from 2^-94 to 2^32 into [0, 1], the range of GL's depth.
+    /// The factor between inv_w and GL's depth. As the factor is a power of two, it loses no bits.
+    /// It takes every inv_w from 2^-94 to 2^32 to [0, 1], the range of GL's depth.
     static constexpr float depth_scale = 1.0f / 65536.0f / 65536.0f;
 
 private:

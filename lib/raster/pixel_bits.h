@@ -54,8 +54,7 @@ public:
         return (row(y)[word_of(x)] >> bit_of(x) & 1) != 0;
     }
 
-    /// The mask of those columns of [left, right) that one word of a row holds: the word with index
-    /// `word`.
+    /// A mask for the word with index `word` in a row: the bits of its columns in [left, right).
     static std::uint64_t within(std::int32_t word, std::int32_t left, std::int32_t right) {
         const std::int32_t begin = std::max(left - word * word_pixels, 0);
         const std::int32_t end = std::min(right - word * word_pixels, word_pixels);

@@ -16,7 +16,7 @@ struct L3D_PUBLIC l3d_placement_2d {
     l3d_point_2d across{1, 0}; ///< the step into which a step of 1 to the right is turned
     l3d_point_2d down{0, 1};   ///< the step into which a step of 1 downwards is turned
 
-    /// A placement that only moves.
+    /// A placement that only moves, by x to the right and y down.
     static l3d_placement_2d moved(double x, double y) { return {{x, y}, {1, 0}, {0, 1}}; }
 
     /// A placement that stretches along both axes and leaves (0, 0) where it is.
@@ -91,7 +91,7 @@ enum class L3D_PUBLIC l3d_image_filter {
 };
 
 /// An image and its place in the picture. The image's pixel (i, j) is a square around (i, j), as in
-/// l3d_rasterizer_2d. So the default placement draws it into the picture's top left corner.
+/// l3d_rasterizer_2d. So the default placement draws the image into the picture's top left corner.
 struct L3D_PUBLIC l3d_placed_image {
     l3d_pixels pixels;        ///< the image; borrowed while drawing
     l3d_placement_2d place{}; ///< place of the image in the picture

@@ -40,7 +40,8 @@ struct L3D_PUBLIC l3d_line_2d {
     int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
 };
 
-/// The coverage of a shape, such as a letter: how much of each pixel of a rectangle it covers.
+/// The coverage of a shape, such as a letter: the covered share of each pixel of a rectangle around
+/// the shape.
 ///
 /// Shape: rows of `width` values from 0 to 255, `pitch` values apart. A pitch of 0 repeats a single
 ///        row.
@@ -89,15 +90,15 @@ struct L3D_PUBLIC l3d_fill {
     /// Lives: borrowed while drawing.
     const l3d_path* clip = nullptr;
     l3d_winding clip_inside = l3d_winding::nonzero; ///< which points are inside of the clip path
-    /// Only pixels in this box are drawn; by default, all of them.
+    /// Only pixels in this box are drawn. The default box holds all pixels.
     l3d_pixel_box box{0, 0, l3d_largest_side, l3d_largest_side};
     /// The way in which the colour is mixed with the picture's. Outputs that cannot read their own
-    /// picture always mix coded.
+    /// picture always mix as `coded` does.
     l3d_blending blending = l3d_blending::coded;
 };
 
 /// The drawing operations that each kind of output implements. Programs use l3d_rasterizer_2d,
-/// which calls them.
+/// which calls these operations.
 class L3D_PUBLIC l3d_rasterizer_2d_imp {
 public:
     l3d_rasterizer_2d_imp() = default;
@@ -134,8 +135,8 @@ private:
     virtual void do_draw_path(const l3d_path& path, const l3d_fill& fill);
     virtual void do_draw_image(const l3d_placed_image& image, const l3d_fill& fill);
 
-    /// Draws curves. By default, they become points, and do_draw_mesh draws Gouraud-shaded
-    /// triangles.
+    /// Draws curves. By default, curves are drawn as points, and do_draw_mesh draws meshes as
+    /// Gouraud-shaded triangles.
     virtual void do_draw_curves(const l3d_path& path, l3d_color color);
     virtual void do_draw_mesh(std::span<const l3d_mesh_patch> patches);
 };
@@ -144,8 +145,8 @@ private:
 ///
 /// Positions of corners and of the ends of smooth lines are rounded to 1/256 pixel; everything
 /// after that is exact. A shape with a coordinate that is not a number is not drawn. Coordinates
-/// beyond +-2^30 pixels, infinite ones too, are clamped to it. Drawing is clipped to the target,
-/// and clipping changes no pixel inside of it.
+/// beyond +-2^30 pixels, infinite ones too, are clamped to this limit. Drawing is clipped to the
+/// target, and clipping changes no pixel inside of it.
 /// Units:   whole coordinates name pixels, (0, 0) the top left one, y down; a colour is a pixel
 ///          word, 0x00RRGGBB.
 /// Lives:   borrows the implementation, which must outlive it.
@@ -164,8 +165,8 @@ public:
     void draw_point(int x, int y, l3d_color color) { imp_.do_draw_point(x, y, color); }
 
     /// Draws a line, both ends included. Each step along the longer axis (x if both are equally
-    /// long) lights the pixel nearest to the ideal line. If two are equally near, it lights the
-    /// upper or left one. Both directions of a line light the same pixels, and clipping only
+    /// long) lights the pixel nearest to the ideal line. If two pixels are equally near, it lights
+    /// the upper or left one. Both directions of a line light the same pixels, and clipping only
     /// removes pixels outside of the target.
     void draw_line(int x0, int y0, int x1, int y1, l3d_color color) {
         imp_.do_draw_line(x0, y0, x1, y1, color);
@@ -176,9 +177,9 @@ public:
         imp_.do_draw_lines(lines, color);
     }
 
-    /// Draws a smooth line by Wu's method. A square pen of one pixel is drawn along the line. Each
-    /// pixel gets as much of the colour as the pen covers of it, measured along each axis
-    /// separately.
+    /// Draws a smooth line by Wu's method. A square pen of one pixel is drawn along the line. The
+    /// share of a pixel that the pen covers, measured along each axis separately, is the share of
+    /// the colour that the pixel gets.
     ///
     /// Let a be the coordinate along the longer axis, from a0 to a1, and b(a) the line's other
     /// coordinate. Pixel (a, b) is covered by w v, rounded to a multiple of 1/255. w is the length
@@ -240,7 +241,7 @@ public:
     /// within l3d_flat_enough, and coverage times alpha is rounded to a multiple of 1/255. So the
     /// coverage of a path of lines is within 1/510, up to the rounding of doubles. Positions are
     /// not rounded to a lattice. Nothing is drawn if a coordinate is not a number; coordinates
-    /// beyond +-2^30 are clamped to it.
+    /// beyond +-2^30 are clamped to this limit.
     ///
     /// In a picture without background, colours are weighted by their coverage. In linear light,
     /// the rounded coverage moves the light of each channel, and the level nearest to the result is
@@ -253,10 +254,11 @@ public:
     /// Draws a placed image over the picture.
     ///
     /// The fill's alpha, clip, clip_inside, box and blending are used. l3d_image_filter tells which
-    /// colour a pixel gets. Edges of the image and of the clip path are smooth as those of paths;
-    /// with l3d_image_filter::nearest, the image's edges are hard. Colours are mixed in doubles and
-    /// rounded once: within 1/2 + 10^-6 levels, where coverage is a multiple of 1/255. Nothing is
-    /// drawn if the placement has no area, or a corner of the image is not within +-2^30 pixels.
+    /// colour a pixel gets. Edges of the image and of the clip path are as smooth as the edges of
+    /// paths; with l3d_image_filter::nearest, the image's edges are hard. Colours are mixed in
+    /// doubles and rounded once: within 1/2 + 10^-6 levels, where coverage is a multiple of 1/255.
+    /// Nothing is drawn if the placement has no area, or a corner of the image is not within +-2^30
+    /// pixels.
     /// Expects: alpha in [0, 1].
     /// Cost:    as draw_path, and for each pixel as many pixels of the image as the filter takes.
     ///          An opaque image that is only moved by whole pixels is copied.
@@ -285,13 +287,13 @@ public:
     /// coordinates that are not finite are left out.
     /// Cost:    each quarter of a patch, along u or v, is diced as finely as its worst place needs.
     ///          Neighbours across a common border get the same steps along it. A patch has at most
-    ///          512 x 512 quads. These suffice for the 1/16 pixel if borders are like quarters of
-    ///          circles with radii up to 4 10^4 pixels. For larger radii, the error grows in
-    ///          proportion: 1.3 pixels for a radius of 10^6.
+    ///          512 x 512 quads. This number keeps the error within 1/16 pixel if borders are like
+    ///          quarters of circles with radii up to 4 10^4 pixels. For larger radii, the error
+    ///          grows in proportion: 1.3 pixels for a radius of 10^6.
     void draw_mesh(std::span<const l3d_mesh_patch> patches) { imp_.do_draw_mesh(patches); }
 
-    /// Completes the picture: afterwards, the target's pixels hold everything drawn so far. Call it
-    /// before anybody else reads or writes the pixels. Later drawing adds to this picture.
+    /// Completes the picture: afterwards, the target's pixels hold everything drawn so far. Call
+    /// finish() before anybody else reads or writes the pixels. Later drawing adds to this picture.
     void finish() { imp_.do_finish(); }
 
 private:

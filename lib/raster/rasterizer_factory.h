@@ -25,7 +25,8 @@ public:
     l3d_rasterizer_factory& operator=(const l3d_rasterizer_factory&) = delete;
     virtual ~l3d_rasterizer_factory() = default;
 
-    /// Describes in one line what draws, for --verbose; empty if the processors draw.
+    /// Describes in one line, for --verbose, the library that draws, such as GL; empty if l3d
+    /// itself draws.
     /// Errors:  as create_2d.
     std::string describe() const { return do_describe(); }
 
@@ -52,11 +53,11 @@ private:
 /// Whether lines and polygons of one colour get hard or smooth edges.
 enum class L3D_PUBLIC l3d_edges {
     hard,  ///< each pixel is coloured wholly or not at all, as l3d_rasterizer_2d says
-    smooth ///< drawn as by draw_path and draw_line_antialiased, whatever call draws them
+    smooth ///< as draw_path and draw_line_antialiased draw them, whichever function is called
 };
 
-/// Makes rasterizers that use the processors. They serve every screen, as every screen has pixels
-/// in memory.
+/// Makes rasterizers that draw by the CPU into pixels in memory. They serve every screen, as every
+/// screen has pixels in memory.
 class L3D_PUBLIC l3d_rasterizer_factory_sw final : public l3d_rasterizer_factory {
 public:
     /// Makes a factory whose two-dimensional rasterizers draw these edges.
@@ -93,8 +94,8 @@ private:
     std::string library_;
 };
 
-/// A screen and a factory of the rasterizers that draw on it. It is the first argument of every
-/// pipeline.
+/// A screen and a factory of the rasterizers that draw on it. A canvas is the first argument of
+/// every pipeline.
 ///
 /// Expects: neither is null.
 /// Lives:   owns the screen, shares the factory.

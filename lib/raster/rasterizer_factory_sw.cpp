@@ -9,7 +9,7 @@
 namespace {
 
 /// Draws polygons of one colour as paths, and lines by Wu's algorithm. So a program that is written
-/// for hard edges gets smooth ones. All other calls draw as l3d_rasterizer_2d_sw_imp does.
+/// for hard edges gets smooth edges. All other calls draw as l3d_rasterizer_2d_sw_imp does.
 class rasterizer_2d_smooth final : public l3d_rasterizer_2d_sw_imp {
 public:
     using l3d_rasterizer_2d_sw_imp::l3d_rasterizer_2d_sw_imp;

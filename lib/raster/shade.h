@@ -109,8 +109,9 @@ struct L3D_PUBLIC l3d_seen_place {
 /// A function of the program that colours surfaces, for l3d_shade::own.
 ///
 /// The function gets runs of neighbouring pixels of a row, and writes a pixel word 0x00RRGGBB for
-/// each. At edges, it gets single places within a pixel, whose colours are mixed. If its colours
-/// depend on more than the places, the picture depends on the number of threads.
+/// each pixel. At edges, the function gets single places within a pixel, and the colours of these
+/// places are mixed. If the function's colours depend on more than the places, the picture depends
+/// on the number of threads.
 /// Expects: a function that may be called by several threads at once, and does not throw.
 struct L3D_PUBLIC l3d_own_shade {
     /// Colours places. Shape: one word for each place.
@@ -152,7 +153,7 @@ struct L3D_PUBLIC l3d_inspection {
 };
 
 /// The pixel word of a number on a shade's colour scale, which goes from -scale to scale. Numbers
-/// beyond an end get its colour; NaN gives grey.
+/// beyond an end of the scale get the colour of this end; NaN gives grey.
 /// Expects: `gaussian`, `mean` or `draft`; a positive scale.
 L3D_PUBLIC std::uint32_t l3d_inspection_color(l3d_shade shade, double number, double scale);
 

@@ -54,7 +54,7 @@ struct L3D_PUBLIC l3d_micro_grid {
     /// The places of all vertices in the picture. Units: 1/256 pixel.
     std::vector<std::int32_t> x, y;
     std::vector<float> inv_w;     ///< 1 / distance along the view axis, of all vertices
-    std::vector<float> normal[3]; ///< the normals' components, of all vertices
+    std::vector<float> normal[3]; ///< the components of all vertices' normals
 
     /// Whether the picture shows both sides of the surface. Normals, or levels and bends, belong to
     /// the side to which dS/du x dS/dv points. A quad (or a piece of a folded quad) that turns to
@@ -112,7 +112,8 @@ struct L3D_PUBLIC l3d_micro_grid {
 /// Shape: blocks of 16 triangles. In a block, each component of each corner is an array, so that
 ///        triangles can be set up side by side in SIMD lanes. A block is 18 cache lines in a row,
 ///        mostly in one page of memory, which suits walks from block to block in any order.
-/// Cost:  clear keeps the memory; add allocates only when there are more than ever before.
+/// Cost:  clear keeps the memory; add allocates only when there are more triangles than ever
+///        before.
 struct L3D_PUBLIC l3d_micro_triangles {
     static constexpr std::size_t lanes = 16; ///< the number of triangles in a block
 
@@ -123,7 +124,7 @@ struct L3D_PUBLIC l3d_micro_triangles {
         std::array<float, lanes> inv_w;                 ///< 1 / distance along the view axis
         std::array<std::array<float, lanes>, 3> normal; ///< normals, or levels and bends
     };
-    /// The three corners of a block's triangles.
+    /// A block of 16 triangles, by their first, second and third corners.
     using block = std::array<corner, 3>;
 
     std::vector<block> blocks; ///< triangle i is in element i % lanes of block i / lanes
@@ -247,7 +248,7 @@ struct L3D_PUBLIC l3d_border_edge {
     float from_inv_w = 0;
     /// The inv_w at which the line ends.
     float to_inv_w = 0;
-    /// The level of the light beside the line in mode l3d_shade::levels; NaN in other modes.
+    /// In mode l3d_shade::levels, the level of the light beside the line; in other modes, NaN.
     float level = 0;
     /// The grid's row of the quad beside the line; 0 for a triangle's side.
     int row = 0;
@@ -283,7 +284,8 @@ struct L3D_PUBLIC l3d_surface_part {
     /// may be missed. In a part without a grid, the lines are the sides of its triangles, in the
     /// triangles' order.
     std::vector<l3d_border_edge> border;
-    /// The blocks of the grid that need not be drawn: bit 4 * row + column is set for each.
+    /// The blocks of the grid that need not be drawn: bit 4 * row + column is set for each of these
+    /// blocks.
     unsigned unseen = 0;
     /// The colour of the whole part in mode `error`, a pixel word.
     l3d_color error_color = 0;

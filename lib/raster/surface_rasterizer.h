@@ -35,8 +35,8 @@ struct L3D_PUBLIC l3d_shading {
     bool keep_unit_normals = false;
 
     /// Whether pixels at edges show the mean light over their squares. Light is linear: levels are
-    /// decoded by the sRGB curve, and the mean is encoded again. A rasterizer that cannot do it
-    /// ignores the wish (l3d_surface_rasterizer::antialiases).
+    /// decoded by the sRGB curve, and the mean is encoded again. A rasterizer that cannot smooth
+    /// edges ignores this member (l3d_surface_rasterizer::antialiases).
     bool antialias = false;
 
     /// The picture's colours where no surface covers a pixel, or a part of a pixel.
@@ -66,8 +66,8 @@ struct L3D_PUBLIC l3d_shading {
 
     l3d_lighting lighting{}; ///< the colours of lights, and the lights besides `light`
 
-    /// The ray from the eye to a place, as `ray`, but also set if normals are turned to the eye
-    /// already.
+    /// The same rays as `ray`, `ray_right` and `ray_down`. They are set in every frame, also if
+    /// normals are turned to the eye already.
     std::array<float, 3> look{0, 0, -1}, look_right{}, look_down{};
 
     /// The eye, in world space. A pixel shows the place eye + aside + distance / look_depth * look.
@@ -87,13 +87,14 @@ struct L3D_PUBLIC l3d_shading {
     const l3d_own_shade* own = nullptr;
 
     /// Triangles that have colours of their own; borrowed until the frame's finish. Parts refer to
-    /// them by numbers of materials.
+    /// these triangles by numbers of materials.
     /// Expects: null for a mode that does not show light.
     const l3d_face_paints* paints = nullptr;
 
-    /// Whether pixels of these materials need more than a grey level. They do if the lights are not
-    /// the usual ones, or a material has highlights. Modes that do not show light never do. Modes
-    /// `gouraud` and `levels` are then drawn as `lambert`.
+    /// Whether pixels of these materials need more than a grey level. They need more if the lights
+    /// are not the usual lights, or if a material has highlights. In modes that do not show light,
+    /// they never need more. If pixels need more, modes `gouraud` and `levels` are drawn as
+    /// `lambert`.
     bool is_lit(std::span<const l3d_material> materials) const {
         return l3d_is_light(mode) &&
                !(lighting.is_usual() && std::ranges::all_of(materials, [](const l3d_material& m) {
@@ -102,20 +103,21 @@ struct L3D_PUBLIC l3d_shading {
     }
 
     /// The distance in x and y, in pixels, within which other pixels can change a pixel. With
-    /// anti-aliasing, a jump of level towards a neighbour is found from this neighbour and the next
-    /// one.
+    /// anti-aliasing, a jump of level towards a neighbour is found from this neighbour and the
+    /// pixel behind it.
     int reach() const { return antialias ? 2 : 0; }
 
     friend bool operator==(const l3d_shading&, const l3d_shading&) = default;
 };
 
-/// The largest error of interpolated levels that frames report; polygons with more are counted in
-/// `unproven_levels`. Errors come from quads that are not parallelograms, and from changes of w.
+/// The largest error of interpolated levels that frames report; polygons with a larger error are
+/// counted in `unproven_levels`. Errors come from quads that are not parallelograms, and from
+/// changes of w.
 /// Units: levels of 255.
 inline constexpr double l3d_most_level_error = 0.25;
 
 /// The largest error of interpolated normals that lit frames report. An error is the length of the
-/// difference from the exact normal. Polygons with more are counted in `unproven_levels`.
+/// difference from the exact normal. Polygons with a larger error are counted in `unproven_levels`.
 inline constexpr double l3d_most_normal_error = 1.0 / 256;
 
 /// Counts of the work of one frame, for reports and tests.
@@ -139,7 +141,7 @@ struct L3D_PUBLIC l3d_surface_counts {
 
     std::int64_t refined = 0; ///< pixels at edges, whose light is a mean over their squares
 
-    /// Adds the counts of another part of the picture.
+    /// Adds the counts that another part of the same picture has.
     void add(const l3d_surface_counts& other) {
         quads += other.quads;
         samples += other.samples;
@@ -172,7 +174,7 @@ struct L3D_PUBLIC l3d_surface_counts {
 /// A rectangle of the picture. Units: 1/256 pixel from the picture's top left corner, ends
 /// included.
 struct L3D_PUBLIC l3d_subpixel_box {
-    /// The first and the last column and row.
+    /// The first and the last column and row. All four are inside of the rectangle.
     std::int32_t left = 0, top = 0, right = 0, bottom = 0;
 };
 
@@ -190,7 +192,8 @@ public:
     l3d_surface_rasterizer& operator=(const l3d_surface_rasterizer&) = delete;
     virtual ~l3d_surface_rasterizer() = default;
 
-    /// Describes in one line what fills, for reports; empty if the processors fill.
+    /// Describes in one line, for reports, the library that fills, such as GL; empty if l3d itself
+    /// fills.
     std::string describe() const { return do_describe(); }
 
     /// Whether this rasterizer draws mode l3d_shade::levels.
@@ -217,8 +220,8 @@ public:
     }
 
     /// Sets the materials of frames that are begun later. Parts name a material by its index in
-    /// `materials`. At first, and if there are none, all surfaces are white. Shades that do not
-    /// show light ignore them.
+    /// `materials`. At first, and if there are no materials, all surfaces are white. Shades that do
+    /// not show light ignore materials.
     /// Expects: at most most_materials, including those that the shading's paints name; parts name
     ///          none beyond the last.
     /// Lives:   until the frame's finish; the next frame needs the call again.
@@ -229,16 +232,16 @@ public:
     static constexpr std::size_t most_materials = std::size_t{1} << 24;
 
     /// Sets whether frames that are begun later count covered pixels; at first they do. Counting
-    /// takes some 2 % of a frame. With GL, `samples` and `written` are counted only if wanted, too:
-    /// each takes drawing everything once more.
+    /// takes some 2 % of a frame. With GL, `samples` and `written` are counted only if wanted, too,
+    /// as each of these two counts needs everything drawn once more.
     void count_pixels(bool wanted) { counting_wanted_ = wanted; }
 
     /// Sets whether frames that are begun later leave a depth everywhere, 0 where nothing is drawn;
     /// at first they do. If not wanted, depth has no meaning after the frame.
     void leave_depth(bool wanted) { depth_wanted_ = wanted; }
 
-    /// Whether begin_part may be called. It may not if the picture is kept outside of memory, as by
-    /// GL, and is copied as a whole.
+    /// Whether begin_part may be called. A rasterizer does not allow it if it keeps the picture
+    /// outside of memory, as with GL, and copies the whole picture.
     bool draws_parts() const { return do_draws_parts(); }
 
     /// Starts a frame that draws a part of a picture again and leaves the rest as it is.
@@ -253,7 +256,7 @@ public:
         do_begin_part(target, depth, shading, part);
     }
 
-    /// Fills the quads and triangles of the parts. A convex quad is one polygon, a folded one is
+    /// Fills the quads and triangles of the parts. A convex quad is one polygon, a folded quad is
     /// four triangles around its projective centre. Drawing is fastest if the nearest parts come
     /// first.
     /// Expects: called once a frame if there is no depth buffer.
@@ -263,14 +266,14 @@ public:
     /// Whether earlier calls of draw in this frame hide everything in a box that is no nearer than
     /// `nearest_inv_w`. False when in doubt.
     ///
-    /// Cost:    some nanoseconds for each 16 x 8 pixels of the box. Any number of threads may ask
-    ///          while none draws.
+    /// Cost:    some nanoseconds for each 16 x 8 pixels of the box. Any number of threads may call
+    ///          hidden() while no thread draws.
     bool hidden(const l3d_subpixel_box& box, float nearest_inv_w) const {
         return do_hidden(box, nearest_inv_w);
     }
 
     /// Completes the frame: afterwards, the target's pixels and the depth buffer hold everything
-    /// drawn. Call it before anybody else reads or writes them.
+    /// drawn. Call finish() before anybody else reads or writes the pixels or depths.
     void finish() { do_finish(); }
 
     /// Counts of the drawing between begin and the last finish.

@@ -12,8 +12,8 @@ namespace {
 using namespace l3d_detail;
 
 /// The thickness below which a polygon counts as a slit, as its slope says nothing about the
-/// surface. Slopes are limited so that depth changes over this length by at most the polygon's
-/// whole range. Units: pixels.
+/// surface. Slopes are limited: over this length, depth changes by at most the difference of the
+/// polygon's largest and least depth. Units: pixels.
 constexpr double thinnest = 0.25;
 
 /// The rounding of 1 / w. The division, the scale, the means of corners and the pixel's own value
@@ -126,9 +126,9 @@ void l3d_two_layer_depths::put(pixel& into, const fragment& f, int x, int y) con
         into.second = f;
 }
 
-/// Whether two fragments may belong to one sheet that covers a pixel twice. Quads of the same patch
-/// count as two sheets, since they meet where the patch cuts itself, and hardly ever along the
-/// sides of its pieces.
+/// Whether two fragments of a pixel may be one sheet, whose overlapping polygons cover the pixel
+/// twice. Quads of the same patch count as two sheets, since they meet where the patch cuts itself,
+/// and hardly ever along the sides of its pieces.
 bool l3d_two_layer_depths::overlap(const fragment& a, const fragment& b) const {
     const std::uint32_t of_a = a.owner / kinds, of_b = b.owner / kinds;
     const std::uint32_t in_a = a.owner % kinds, in_b = b.owner % kinds;

@@ -13,7 +13,8 @@
 #include <span>
 #include <vector>
 
-/// The patch to which a part's polygons belong, and the patches of its model that it touches.
+/// The patch to which a part's polygons belong, and the patches of the same model that this patch
+/// touches.
 ///
 /// Lives: borrows the list `touching`.
 struct l3d_sheet_patch {
@@ -25,7 +26,7 @@ struct l3d_sheet_patch {
         return instance == other.instance && patch == other.patch;
     }
 
-    /// Whether both are neighbours, or the same patch.
+    /// Whether this patch and the other one are neighbours, or are the same patch.
     bool meets(const l3d_sheet_patch& other) const;
 };
 
@@ -40,17 +41,18 @@ struct l3d_sheet_patch {
 class l3d_two_layer_depths {
 public:
     /// Starts an empty picture. In a parallel projection, depths are linear in the distance. Depths
-    /// change by depth_by_pixel if the distance changes by a pixel's width; in perspective it is 0.
+    /// change by depth_by_pixel if the distance changes by a pixel's width; in perspective,
+    /// depth_by_pixel is 0.
     /// Units: focal in pixels.
     void begin(l3d_size size, double focal, double depth_by_pixel = 0);
 
     void add(const l3d_surface_part& part, const l3d_sheet_patch& of);
 
-    /// 1 / w of the nearest sheet, and 0 where there is none. Units: as l3d_micro_vertex.
+    /// 1 / w of the nearest sheet, and 0 where there is no sheet. Units: as l3d_micro_vertex.
     float inv_w(int x, int y) const { return at(x, y).front.inv_w; }
 
     /// The least error of surfaces, in the picture or along their normals, with which another sheet
-    /// could be the nearest one at this pixel.
+    /// could be the nearest sheet at this pixel.
     /// Units: pixels; infinite if there is only one sheet.
     float gap(int x, int y) const { return at(x, y).gap; }
 

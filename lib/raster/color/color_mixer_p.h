@@ -26,8 +26,9 @@ public:
     explicit color_mixer(l3d_blending how)
         : light_(how == l3d_blending::linear ? &exact_light_tables() : nullptr) {}
 
-    /// The number in which a level from 0 to 255 is mixed: its light if colours are mixed linearly,
-    /// else the level itself. The function level() is the inverse.
+    /// The number that stands for a level (0 to 255) while colours are mixed. It is the level's
+    /// light if colours are mixed linearly, else the level itself. The function level() is the
+    /// inverse.
     double value(std::uint32_t level) const {
         return light_ != nullptr ? light_->light(level) : static_cast<double>(level);
     }
@@ -35,7 +36,7 @@ public:
         return light_ != nullptr ? light_->level(value) : static_cast<std::uint32_t>(value + 0.5);
     }
 
-    /// The colour of a place whose given share is covered by a pixel word's colour.
+    /// A pixel word's colour that covers the given share of a place.
     mixed_color color(std::uint32_t word, double share = 1) const {
         mixed_color result{{}, share};
         for (std::size_t k = 0; k < 3; ++k)
@@ -75,7 +76,8 @@ private:
         return word >> shift_of(k) & 255;
     }
 
-    const linear_light_of<double>* light_; ///< null: levels are mixed as they are
+    /// Tables for mixing light; null: levels are mixed as they are.
+    const linear_light_of<double>* light_;
 };
 
 } // namespace l3d_detail

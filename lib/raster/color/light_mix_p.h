@@ -10,8 +10,8 @@
 
 namespace l3d_detail {
 
-/// Finds the mean light of several pictures: adds up their light, each with a weight. A partly
-/// transparent pixel adds less light.
+/// Finds the mean light of several pictures: adds up the pictures' light, each picture's with a
+/// weight. A partly transparent pixel adds less light.
 /// Cost: keep one object for many pictures, since it keeps its memory.
 class light_mix {
 public:
@@ -22,15 +22,16 @@ public:
     /// Expects: the box of begin() lies in the picture. The weights of all pictures add up to 1.
     void add(const l3d_pixels& picture, float weight, l3d_workers& workers);
 
-    /// Writes the levels nearest to the sums. A word that is the same in all pictures stays as it
-    /// is.
+    /// Writes pixel words whose levels are nearest to the sums. If all pictures have the same word
+    /// in a pixel, this word is written.
     void write(const l3d_pixels& target, l3d_workers& workers) const;
 
 private:
     /// The sums of one pixel. Units: linear light, from 0 to 1.
     struct sum {
         float red = 0, green = 0, blue = 0;
-        float empty = 0; ///< the weights of pictures, each times the pixel's transparent share
+        /// The sum over pictures of the weight times the pixel's transparent share.
+        float empty = 0;
     };
 
     template <class Visit> void for_rows(l3d_workers& workers, const Visit& visit) const;

@@ -9,7 +9,8 @@
 
 namespace l3d_detail {
 
-/// Tables of the sRGB curve. A level that is converted to light and back is the same level.
+/// Tables of the sRGB curve. A level that is converted to light, and then back to a level, stays
+/// the same.
 /// Real: float for many pixels, or double where the nearest level must be exact.
 template <class Real> class linear_light_of {
 public:
@@ -45,7 +46,7 @@ public:
     /// The lights of all levels from 0 to 255.
     const std::array<Real, 256>& lights() const { return light_; }
 
-    /// The level nearest to a light: the light lies between the lights of level - 1/2 and level +
+    /// The level nearest to a light. The light lies between the lights of level - 1/2 and level +
     /// 1/2.
     std::uint32_t level(Real light) const {
         const Real held = light > 0 ? (light < 1 ? light : Real(1)) : Real(0);
@@ -55,11 +56,11 @@ public:
         return found;
     }
 
-    /// The number of entries in the table of guesses. Near black a level spans 1 / (255 * 12.92) =
-    /// 1 / 3295 of white, so a guess errs by less than two levels.
+    /// The number of entries in the table from which level() takes its first guess. Near black a
+    /// level spans 1 / (255 * 12.92) = 1 / 3295 of white, so a guess errs by less than two levels.
     static constexpr std::size_t guesses = 4096;
 
-    /// The lights at which each level begins.
+    /// For each level, the light at which it begins.
     const std::array<Real, 256>& begins() const { return begins_; }
 
 private:

@@ -200,8 +200,8 @@ void image_sampler::add_edge(l3d_point_2d from, l3d_point_2d to) {
     }
 }
 
-/// Adds an edge's part in one row, from one x to another. A part beyond the columns counts as if it
-/// were on the columns' border.
+/// Adds an edge's part in one row, from one x to another. A part beyond the first or last column
+/// counts as if it were on the border of this column.
 void image_sampler::add_in_row(int row, double from, double to, double height) {
     if (from > to)
         std::swap(from, to); // the area to the right is the same

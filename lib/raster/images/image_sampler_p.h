@@ -20,19 +20,19 @@ class image_sampler {
 public:
     image_sampler(const l3d_placed_image& image, const color_mixer& mixer);
 
-    /// The part of the picture that the image may reach. It is the image's outline, or for
-    /// l3d_image_filter::nearest an axis-aligned box of whole pixels around this outline. It is
-    /// empty if nothing is to be drawn.
+    /// The part of the picture that the image may reach. This part is the image's outline, or for
+    /// l3d_image_filter::nearest an axis-aligned box of whole pixels around this outline. The path
+    /// is empty if nothing is to be drawn.
     l3d_path reach() const;
 
-    /// Whether the image is only moved by whole pixels. Then moved_x() and moved_y() tell how far
-    /// it is moved to the right and down.
+    /// Whether the image is only moved by whole pixels. If so, moved_x() and moved_y() tell how far
+    /// the image is moved to the right and down.
     bool is_moved_only() const { return moved_only_; }
     std::int32_t moved_x() const { return moved_x_; }
     std::int32_t moved_y() const { return moved_y_; }
 
-    /// The colour of the picture's pixel (x, y): the one that the image's filter chooses. The
-    /// filter `area` takes the mean over the part of the pixel's square that lies in the image.
+    /// The colour that the image's filter gives to the picture's pixel (x, y). The filter `area`
+    /// takes the mean over the part of the pixel's square that lies in the image.
     mixed_color at(std::int32_t x, std::int32_t y);
 
 private:

@@ -9,8 +9,9 @@
 
 namespace {
 
-/// The smaller one of the changes of depth to both neighbours of a pixel, which is the rise of the
-/// pixel's own surface. Steps to another surface, or to none, are larger.
+/// The change of depth per pixel on the surface that a pixel shows. It is the smaller one of the
+/// changes from the pixel to its two neighbours. A change to another surface, or to none, is
+/// larger.
 double rise(double before, double here, double after) {
     return std::min(std::abs(here - before), std::abs(here - after));
 }

@@ -14,7 +14,7 @@
 
 namespace l3d_detail {
 
-/// An end of a chord, a straight piece of a line with depth.
+/// An end of a chord. Chords are the straight pieces of a line with depth.
 /// Units: pixels from the picture's top left corner; the depth is that of a depth buffer.
 struct depth_point {
     double x = 0, y = 0, depth = 0;
@@ -32,8 +32,8 @@ struct depth_law {
     double per_pixel(double depth) const { return (step == 0 ? depth : std::abs(step)) / focal; }
 };
 
-/// Draws a line with depth. It gathers the pixels that the line's chords cover, and then paints
-/// each once, even if several chords reach it at joints or crossings.
+/// Draws a line with depth. It gathers the pixels that the line's chords cover. Then it paints each
+/// pixel once, even if several chords reach the pixel at joints or crossings.
 ///
 /// A chord ends in half discs, which also form the joints. Let d be the distance of a pixel's
 /// centre from the chord. With smooth edges, the coverage is width / 2 + 1/2 - d, clamped to the
@@ -55,7 +55,7 @@ public:
     /// Adds a chord. Expects: finite ends; the depth has the same size for all chords of a line.
     void add(const line& of, const depth_point& from, const depth_point& to);
 
-    /// Paints the line with the shading's fog, and forgets it.
+    /// Paints the pixels of all added chords, with the shading's fog, and removes the chords.
     void paint(const l3d_pixels& target, std::uint32_t color, const l3d_shading& shading);
 
 private:

@@ -23,8 +23,8 @@
 namespace l3d_detail {
 
 /// Calls visit(x, y, along, coverage) for the pixels of a line between two vertices. `along` goes
-/// from 0 at the first end to 1 at the other. Pixels of a line that is not smooth are covered
-/// wholly.
+/// from 0 at the first vertex to 1 at the second vertex. Pixels of a line that is not smooth are
+/// covered wholly.
 /// Units:   coverage from 1 to 255.
 template <class Visit>
 void visit_side(const l3d_micro_vertex& a, const l3d_micro_vertex& b, l3d_size size, bool smooth,
@@ -54,7 +54,7 @@ inline void cover_pixel(std::uint32_t& word, float& depth, int coverage, double 
     cover_pixel(word, coverage);
 }
 
-/// Turns rows of a picture of coverage into colours. If the shading has fog, the depths tell the
+/// Turns rows of a picture from coverage into colours. If the shading has fog, the depths tell the
 /// amount of fog.
 inline void color_cover(const l3d_pixels& picture, scan_rows rows, const l3d_shading& shading,
                         std::uint32_t line_color, const l3d_depth_buffer& depths) {

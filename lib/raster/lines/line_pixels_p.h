@@ -26,7 +26,7 @@ inline l3d_point_2d line_place(std::int32_t x, std::int32_t y) {
 }
 
 /// Calls visit(x, y, along) for the pixels of a line that lie in a picture of this size. `along`
-/// goes from 0 at the first end to 1 at the other. The pixels are those of
+/// goes from 0 at the line's first end to 1 at its second end. The pixels are those of
 /// l3d_rasterizer_2d::draw_line.
 template <class Visit> void visit_line(const l3d_line_2d& line, l3d_size size, const Visit& visit) {
     if (line.x0 == line.x1 && line.y0 == line.y1) {

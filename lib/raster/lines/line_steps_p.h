@@ -15,9 +15,9 @@ namespace l3d_detail {
 
 /// A line in steps along its longer ("major") axis, from its smaller to its larger major end.
 ///
-/// Pixel i of length + 1 is (major + i, minor + ceil(i rise / length - 1/2)), the nearest one; ties
-/// go to the smaller minor. As a floor, the second term is floor((2 i rise + length - 1) / (2
-/// length)).
+/// The line has length + 1 pixels. Pixel i is (major + i, minor + ceil(i rise / length - 1/2)), the
+/// pixel nearest to the line. If two pixels are equally near, it is the pixel with the smaller
+/// minor coordinate. The ceil() equals floor((2 i rise + length - 1) / (2 length)).
 struct line_steps {
     bool x_major;
     std::int64_t major, minor;
@@ -35,8 +35,9 @@ struct line_steps {
 /// The minor coordinates of line_steps, found by one addition in fixed point for each step, from
 /// step 0 on.
 ///
-/// Each is the floor of (2 i rise + length - 1) / (2 length), whose fraction is at most 1 - 1 / (2
-/// length). At i = 0 it is (length - 1) / (2 length), which is 1/2 less a half of 1 / length.
+/// In step i, the coordinate is the floor of (2 i rise + length - 1) / (2 length). The fraction of
+/// this number is at most 1 - 1 / (2 length). At i = 0 the number is (length - 1) / (2 length),
+/// which is 1/2 less a half of 1 / length.
 ///
 /// Start and step have 40 fraction bits. Both are too large by more than 0 and less than `excess`
 /// units, whichever way double rounds and truncates. At step i, the error is less than excess (i +
@@ -69,7 +70,7 @@ public:
     std::int64_t floor() const { return value_ >> fraction_bits; }
     std::int64_t floor_after(int steps) const { return (value_ + steps * step_) >> fraction_bits; }
     void step() { value_ += step_; }
-    /// Moves on by this number of steps, or back if it is negative.
+    /// Moves on by this number of steps, or back if the number is negative.
     /// Expects: the place reached is between step 0 and step `length`.
     void skip(std::int64_t steps) { value_ += steps * step_; }
 
@@ -77,8 +78,8 @@ private:
     static constexpr int fraction_bits = 40;
     static constexpr std::int64_t one = std::int64_t{1} << fraction_bits;
 
-    /// Entry `length` is floor(2^40 / length), for short lines. Entry 0 is 0, as a line of length 0
-    /// has one pixel.
+    /// A table for short lines, by their lengths: entry `length` is floor(2^40 / length). Entry 0
+    /// is 0, as a line of length 0 has one pixel.
     static constexpr auto units = [] {
         std::array<std::int64_t, short_length> result{};
         for (std::size_t length = 1; length < result.size(); ++length)

@@ -10,12 +10,12 @@ namespace {
 
 using namespace l3d_detail;
 
-/// The number of pixels that are lit without a branch between them.
+/// The number of pixels in a block. Pixels of a block are lit without a branch between them.
 constexpr int block = 4;
 
-/// The number of pixels by which prefetching is ahead. Each pixel of a steep line is in a row of
-/// its own, and so in a cache line of its own. Lines shorter than fewest_for_ahead lose more by
-/// prefetching than they gain.
+/// The number of pixels between the pixel that is lit and the pixel whose memory is prefetched.
+/// Each pixel of a steep line is in a row of its own, and so in a cache line of its own. Lines
+/// shorter than fewest_for_ahead lose more by prefetching than they gain.
 constexpr int pixels_ahead = 4;
 constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 
@@ -23,7 +23,8 @@ constexpr std::int64_t fewest_for_ahead = 32 * pixels_ahead;
 template <bool x_major, class Minors> struct line_walk {
     std::uint32_t* at; ///< the next pixel's word, at the minor coordinate of the line's begin
     Minors minors;
-    std::ptrdiff_t along; ///< offset from a word to the next along the longer axis
+    /// Offset from a pixel's word to that of the next pixel along the longer axis.
+    std::ptrdiff_t along;
     std::ptrdiff_t stride;
 
     std::uint32_t* pixel() const { return at + across(minors.floor()); }

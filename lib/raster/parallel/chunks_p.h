@@ -16,7 +16,7 @@ constexpr std::size_t chunks_of(std::size_t items, std::size_t chunk) {
 }
 
 /// Calls work(begin, end, number of the chunk) once for each chunk, on any worker. In repeated
-/// calls with as many items, most chunks meet the same worker.
+/// calls with the same number of items, most chunks meet the same worker each time.
 /// Expects: as l3d_workers::for_each_beside; chunk > 0.
 template <class Work>
 void for_each_chunk(l3d_workers& workers, std::size_t items, std::size_t chunk, const Work& work) {

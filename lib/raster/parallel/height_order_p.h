@@ -13,8 +13,9 @@
 
 namespace l3d_detail {
 
-/// Sorts things that are to be filled by their heights in the picture, in the order of its bands.
-/// So most things are filled by the worker that made them, whose core has them in its cache.
+/// Sorts things by their heights in the picture, before they are filled. Things are then filled in
+/// the order of the picture's bands. So the worker that fills a thing is mostly the worker that
+/// made it, whose core has the thing in its cache.
 ///
 /// Lives: keeps its memory from frame to frame.
 class height_order {
@@ -30,7 +31,8 @@ public:
             std::sort(places_.begin(), places_.end());
     }
 
-    /// The number, in the order of add(), of the i-th thing from the top.
+    /// The thing that is i-th from the top. The result is its number in the order of the calls of
+    /// add().
     std::size_t operator[](int i) const { return places_[static_cast<std::size_t>(i)].index; }
 
 private:

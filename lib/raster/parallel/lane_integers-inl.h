@@ -45,7 +45,7 @@ HWY_ATTR HWY_INLINE int_vec load_from(std::span<const std::int32_t> of, std::siz
     return hn::LoadU(ints(), copy);
 }
 
-/// The mask of the lanes whose bits are set: lane i is bit i.
+/// A mask of lanes from bits: lane i is set if bit i is 1.
 HWY_ATTR HWY_INLINE int_mask lanes_of(std::uint64_t bits) {
     return hn::TestBit(set(static_cast<std::int32_t>(bits)), hn::Shl(set(1), hn::Iota(ints(), 0)));
 }

@@ -18,7 +18,8 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Gathers elements of an array of 32 bits each, and the element after each of them.
+/// Gathers pairs of neighbours from an array of 32-bit elements: some elements, and the element
+/// after each of these.
 ///
 /// Cost: processors that gather take about as long for an element of 64 bits as for one of 32.
 template <class D> struct lane_pairs {

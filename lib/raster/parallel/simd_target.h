@@ -16,7 +16,7 @@ std::vector<std::string> l3d_simd_targets();
 std::string l3d_simd_target();
 
 /// Sets the instruction set of the fast paths for the whole process; an empty name means the best
-/// one. It serves comparisons: pictures are the same bits with every set.
+/// one. Use the function to compare sets: pictures have the same bits with every set.
 /// Errors:  false, and nothing changes, if there is no set of this name.
 /// Expects: nothing is being drawn meanwhile.
 bool l3d_set_simd_target(std::string_view name);

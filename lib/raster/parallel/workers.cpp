@@ -31,8 +31,8 @@ class alignas(128) item_range {
 public:
     void set(int begin, int end) { ends_.store(packed(begin, end), std::memory_order_relaxed); }
 
-    /// Takes the range's first item, or its last one if `first` is false. Returns none if all are
-    /// taken.
+    /// Takes the range's first item, or its last item if `first` is false. Returns nothing if all
+    /// items are taken.
     std::optional<int> take(bool first) {
         std::uint64_t ends = ends_.load(std::memory_order_relaxed);
         for (;;) {
@@ -113,8 +113,8 @@ struct l3d_workers::threads {
             std::rethrow_exception(std::exchange(failure, nullptr));
     }
 
-    /// Size of a thread's stack. It is larger than needed without sanitizers, since these make
-    /// larger stack frames. Only touched pages take memory.
+    /// Size of a thread's stack. It is larger than programs without sanitizers need, since
+    /// sanitizers make larger stack frames. Only touched pages take memory.
     static constexpr std::size_t stack_bytes = 8 * l3d_stack_bytes;
 
     struct member {
@@ -125,7 +125,7 @@ struct l3d_workers::threads {
     };
 
     std::vector<member> members;
-    int made = 1; ///< the number of threads that exist, the caller's included
+    int made = 1; ///< the number of threads that exist, the caller's thread included
     int why_no_more = 0;
     /// Whether an item's work has thrown, so that no other item is begun.
     std::atomic<bool> has_failed{false};
@@ -243,9 +243,10 @@ void l3d_workers::run(int items, item_call call, void* context) {
     threads_->run(std::cref(take_items));
 }
 
-/// Gives each worker a range of its own, from whose outer end it takes items. When its range is
-/// empty, it takes items of other workers' ranges, its neighbours' first. It takes them from the
-/// end at which the owner does not.
+/// Gives each worker a range of its own. The worker takes items from the range's outer end, which
+/// is farther from the middle of all items. When the range is empty, the worker takes items of
+/// other workers' ranges, its next neighbour's first. It takes these items from the ranges' inner
+/// ends, as the owners take from the outer ends.
 void l3d_workers::run_beside(int items, item_call call, void* context) {
     if (count_ == 1 || items <= 1)
         return run(items, call, context);

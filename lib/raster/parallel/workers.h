@@ -15,8 +15,8 @@
 #include <type_traits>
 #include <utility>
 
-/// The limit of threads that draw together. Machines have fewer processors than this, and each
-/// thread takes memory of its own.
+/// The limit of threads that draw together. Machines have fewer processors than this limit, and
+/// each thread takes memory of its own.
 inline constexpr int l3d_most_threads = 1024;
 
 /// The size of a stack that suffices for every thread that draws, however large or fine the drawing
@@ -25,7 +25,7 @@ inline constexpr int l3d_most_threads = 1024;
 inline constexpr std::size_t l3d_stack_bytes = 128 * 1024;
 
 /// The reason why this number of threads cannot draw together, in words that name the number; "" if
-/// they can.
+/// this number of threads can draw together.
 L3D_PUBLIC std::string l3d_threads_complaint(int threads);
 
 /// The limit of threads that draw by default.
@@ -50,19 +50,19 @@ public:
 class L3D_PUBLIC l3d_workers {
 public:
     /// Starts threads, until there are `threads` including the caller's. With 1, the caller does
-    /// all work, in order. If the system refuses some, there are fewer: count() and take_shortage()
-    /// tell.
+    /// all work, in order. If the system refuses some threads, there are fewer; count() and
+    /// take_shortage() tell how many.
     /// Errors:  l3d_error with l3d_threads_complaint, if there is a complaint; std::bad_alloc.
     explicit l3d_workers(int threads);
     l3d_workers(const l3d_workers&) = delete;
     l3d_workers& operator=(const l3d_workers&) = delete;
     ~l3d_workers();
 
-    /// The number of threads, the caller's included.
+    /// The number of threads, the caller's thread included.
     int count() const { return count_; }
 
-    /// A line on missing threads, given once: how many there are, how many were asked for, and the
-    /// system's reason. "" if none is missing.
+    /// A line of text about missing threads: how many threads there are, how many were asked for,
+    /// and the system's reason. The result is "" in later calls, and if no thread is missing.
     std::string take_shortage() { return std::exchange(shortage_, {}); }
 
     /// Sets a question that the caller's thread asks while it works, some fifty times a second.
@@ -71,7 +71,7 @@ public:
     void interrupt_when(std::function<bool()> wanted) { is_unwanted_ = std::move(wanted); }
 
     /// Asks the question of interrupt_when, if a fiftieth of a second has passed. Long loops of the
-    /// caller's thread that are not divided into items call it.
+    /// caller's thread that are not divided into items call this function.
     /// Errors:  l3d_interrupted.
     /// Cost:    a look at the clock.
     void ask() {
@@ -89,9 +89,9 @@ public:
     }
 
     /// Calls work as for_each does, but in no fixed order, for items whose neighbours use the same
-    /// memory. Each worker begins at its own place in the row of items and continues next to it. So
-    /// in repeated calls most items meet the same worker, and find their memory in its core's
-    /// caches.
+    /// memory. Each worker begins at its own place in the row of items, and goes on to the items
+    /// beside this place. So in repeated calls most items meet the same worker, and find their
+    /// memory in the caches of this worker's core.
     template <std::invocable<int, int> Work> void for_each_beside(int items, Work&& work) {
         run_beside(items, call_of<Work>, context_of(work));
     }

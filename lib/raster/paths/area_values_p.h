@@ -17,8 +17,9 @@ inline double area_inside(double sum, bool is_nonzero) {
                       : std::abs(sum - 2 * std::rint(sum / 2));
 }
 
-/// Finds values of coverage, area_inside() times `full`, rounded, for the integrals `sums` of many
-/// such pixels: the winding number has two consecutive values in each.
+/// Finds the coverage of `count` pixels: area_inside() of each sum, times `full`, rounded. `sums`
+/// are the integrals of the winding number over the pixels. In each pixel, this number has two
+/// consecutive values.
 /// Expects: `count` is a multiple of 8; full is at most 255.
 void find_values(const double* sums, std::size_t count, bool is_nonzero, double full,
                  std::uint8_t* values);

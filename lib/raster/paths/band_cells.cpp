@@ -35,7 +35,7 @@ struct band_edge {
 
     bool leads_up() const { return to.y < from.y; }
 
-    /// Cuts the edge at the band's borders. Returns false if the edge lies beyond them.
+    /// Cuts the edge at the band's borders. Returns false if the edge lies outside of the band.
     bool clip(double top, double bottom) {
         const double upper = std::min(from.y, to.y), lower = std::max(from.y, to.y);
         if (lower <= top || upper >= bottom)
@@ -355,7 +355,7 @@ void band_cells::find_sums(std::size_t at, std::size_t end, double& cover) {
     cover = sum;
 }
 
-/// Replaces the integrals of a group by areas in those pixels that outlines pass several times.
+/// Replaces integrals by areas in the pixels of a group that outlines pass several times.
 void band_cells::find_exact(std::size_t at, double* sums) {
     for (std::size_t i = 0; i < group; ++i)
         if (const std::uint32_t visits = cells_[0][at + i].visits; visits > 1)

@@ -19,9 +19,10 @@ namespace l3d_detail {
 /// Finds the covered area of each pixel in a band of rows.
 ///
 /// Each edge adds its signed area to the pixels that it passes. In a pixel, the sum of these areas
-/// is the integral of the winding number. If only one outline passes a pixel, and once, the winding
-/// number has two consecutive values there, so the integral tells the area. Some of the other
-/// pixels are surely covered, as the sum is large; the rest go to pixel_area.
+/// is the integral of the winding number. If a single outline passes a pixel once, the winding
+/// number has two consecutive values in the pixel, so the integral tells the area. A pixel that
+/// outlines pass more often is surely covered if the sum is large. Otherwise pixel_area finds its
+/// area.
 /// Cost:    linear in the pixels that edges pass, and in the band's pixels, an eighth of an
 ///          operation each. Allocates when a band is larger, or has more edges, than ever before.
 class band_cells {
@@ -38,7 +39,7 @@ public:
     void begin_band(std::int32_t top, std::int32_t bottom);
 
     /// Adds the edges of an outline from corner to corner, as far as they reach into the band.
-    /// `all` is the array of all corners, `blocks` that of all blocks.
+    /// `all` is the array of all outlines' corners, and `blocks` the array of all outlines' blocks.
     /// Expects: `all` stays until write() has returned.
     void add(const path_chains::outline& outline, const l3d_point_2d* all,
              const path_chains::block* blocks);
@@ -49,9 +50,9 @@ public:
 private:
     /// The number of pixels whose values of coverage are found together.
     static constexpr std::size_t group = 8;
-    /// The sums over all edges in a pixel. `cover` is the integral, along the pixel's right side,
-    /// of the winding number that they add; `area` is the integral over the pixel. `visits` counts
-    /// how often outlines pass.
+    /// The sums over all edges in a pixel. The edges add to the winding number. `cover` is the
+    /// integral of the added number along the pixel's right side, and `area` its integral over the
+    /// pixel. `visits` counts how often outlines pass the pixel.
     struct cell {
         double cover = 0, area = 0;
         std::uint32_t visits = 0;
@@ -67,12 +68,13 @@ private:
 
     fill_rules rules_;
     std::int32_t left_ = 0, right_ = 0, rows_ = 0, top_ = 0, bottom_ = 0;
-    std::size_t stride_ = 0; ///< cells of a row, a multiple of `group`
+    std::size_t stride_ = 0; ///< the number of cells in a row, a multiple of `group`
     std::array<std::vector<cell>, 2> cells_;
     kept_list<edge_record> records_;
-    std::vector<std::uint64_t> groups_; ///< for each row, the groups that edges pass, as bits
-    std::size_t words_ = 0;             ///< words of a row in groups_
-    std::vector<double> sums_;          ///< the integrals, or the areas, of a run of pixels
+    /// For each row, a bit for each group of pixels: whether edges pass it.
+    std::vector<std::uint64_t> groups_;
+    std::size_t words_ = 0;    ///< the number of words that a row takes in groups_
+    std::vector<double> sums_; ///< the integrals, or the areas, of a run of pixels
     const l3d_point_2d* corners_ = nullptr;
     pixel_area pixel_;
 };

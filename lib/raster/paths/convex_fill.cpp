@@ -53,7 +53,7 @@ struct window_ends {
     }
 };
 
-/// The number of columns with a value each that take as long to draw as one more span.
+/// A span costs as much as this number of columns that have a value each.
 constexpr std::int32_t few_columns = 32;
 
 /// Finds the ends of the windows. Returns whether the two windows of any row share columns.
@@ -123,7 +123,8 @@ HWY_INLINE void put_words(const window& from, std::size_t row, std::uint8_t* val
         std::memcpy(values + used, &from.words[used / group][row], group);
 }
 
-/// Stores the values of two windows that share columns. Returns the number of their columns.
+/// Stores the values of two windows of a row that share columns. Returns the number of columns that
+/// both windows cover together.
 HWY_INLINE std::int32_t put_joint(const row_windows& windows, std::size_t row, double full,
                                   std::uint8_t* values) {
     const window &left = windows.left, &right = windows.right;

@@ -22,20 +22,23 @@ struct side_block {
     static constexpr std::size_t most_corners = 24;
     using lanes = std::array<double, rows>;
 
-    /// In each row, x at the row's top, or where the chain begins.
+    /// In each row, the chain's x at the row's top, or at the chain's beginning if this is in the
+    /// row.
     alignas(64) lanes enters;
-    /// In each row, x at the row's bottom, or where the chain ends.
+    /// In each row, the chain's x at the row's bottom, or at the chain's end if this is in the row.
     lanes leaves;
     /// In each row, the number of corners between `enters` and `leaves`.
     lanes corners;
-    /// The corners of each row, from top to bottom.
+    /// The coordinates of the chain's corners in each row. Element i has each row's i-th corner
+    /// from the top.
     std::array<lanes, most_corners> x, y;
-    /// The first corner of each row, in memory.
+    /// For each row, a pointer to the chain's first corner in the row.
     std::array<const l3d_point_2d*, rows> first;
-    /// The limit of corners in a row for the lanes. Rows with more are left to slower code, as all
-    /// lanes wait for the one with the most corners.
+    /// The limit of corners in a row that is filled in lanes. Rows with more corners are left to
+    /// slower code, as all lanes wait for the lane with the most corners.
     double few_corners;
-    /// If `straight`, the edge that is the chain in all rows; then the lanes above have no meaning.
+    /// If `straight` is true, the chain is this edge in all rows, and the members above have no
+    /// meaning.
     straight_edge edge;
     bool straight;
 };
@@ -46,8 +49,8 @@ public:
     /// Begins at the top of a chain. Expects: the chain has not entered a row yet.
     side_walk(const chain& of, const l3d_point_2d* corners);
 
-    /// The heights at which the chain begins and ends. Horizontal edges at its ends are left out,
-    /// as they bound no area.
+    /// The heights at which the chain begins and ends. Horizontal edges at the chain's ends are
+    /// left out, as they bound no area.
     double begin() const { return begin_; }
     double end() const { return (behind_ - step_)->y; }
 
@@ -84,7 +87,7 @@ private:
 /// between them.
 struct side_pair {
     std::array<const side_block*, 2> blocks;
-    /// The heights at which both chains begin and end.
+    /// The heights between which both chains run.
     double begin, end;
     /// The first row, and the number of rows. There are more rows than in a block only if both
     /// chains are straight.
@@ -102,15 +105,17 @@ struct side_pair {
 struct pair_spans {
     static constexpr std::size_t most_values = 64; ///< the limit of values in a row of a span
 
-    covered_span* spans;       ///< room for one span in each row
-    std::uint8_t* values;      ///< room for most_values in each row
-    std::size_t values_before; ///< the index that spans give to the first element of `values`
+    covered_span* spans;  ///< room for one span in each row
+    std::uint8_t* values; ///< room for most_values in each row
+    /// The index of the first element of `values` in the list of all values, for
+    /// covered_span::values.
+    std::size_t values_before;
     std::size_t span_count = 0, value_count = 0;
 };
 
 /// Finds the spans between two chains, row by row. It leaves out rows in which the chains cross,
-/// and rows in which a chain has many corners or reaches across many columns. Returns the rows left
-/// out, a bit for each.
+/// and rows in which a chain has many corners or reaches across many columns. Returns a bit for
+/// each row, which is 1 if the row was left out.
 /// Expects: x >= 0.
 std::uint32_t cover_rows(const side_pair& pair, pair_spans& result);
 

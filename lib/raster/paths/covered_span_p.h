@@ -24,8 +24,8 @@ struct covered_run {
 struct covered_span {
     std::int32_t row, first, between, beyond, last;
     std::int32_t value; ///< the value of each column in the middle
-    /// Index of the span's first value. The values of columns before `between` come first, and
-    /// those of columns from `beyond` on follow.
+    /// Index of the span's first value. The values of columns before `between` come first. The
+    /// values of columns from `beyond` on follow.
     std::size_t values;
 
     std::size_t values_before() const { return static_cast<std::size_t>(between - first); }
@@ -53,13 +53,13 @@ public:
             room_.resize(std::max(2 * room_.size(), used_ + more));
         return room_.data() + used_;
     }
-    /// Makes the next `more` items of the room part of the list.
+    /// Adds the first `more` items of the room to the list.
     void use(std::size_t more) { used_ += more; }
     void push(const T& last) {
         *room(1) = last;
         use(1);
     }
-    /// Keeps only the first items of the list. Expects: the list has so many items.
+    /// Keeps only the first items of the list. Expects: the list has at least `first` items.
     void keep(std::size_t first) { used_ = first; }
     T& back() { return room_[used_ - 1]; }
     T& operator[](std::size_t i) { return room_[i]; }

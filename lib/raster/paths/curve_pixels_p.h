@@ -24,8 +24,8 @@ public:
     thin_run& operator=(const thin_run&) = delete;
 
     /// Adds a pixel to the run.
-    /// Expects: both coordinates differ by at most 1 from those of the last pixel, unless it is the
-    ///          first of a run.
+    /// Expects: the first pixel of a run, or one whose x and y differ by at most 1 from the last
+    ///          pixel's.
     void add(std::int64_t x, std::int64_t y) {
         if (count_ > 0 && x == last_.x && y == last_.y)
             return;
@@ -64,11 +64,12 @@ private:
 /// Walks along a curve by forward differences that halve and double their step.
 ///
 /// In a step with differences d1, d2, d3, a coordinate changes at most by |d1| + |d2| / 2 + |d3| /
-/// 3, the bound of its derivative. The step is halved until this change is at most one pixel. It is
-/// doubled as soon as a double step would do.
+/// 3, which is a bound of its derivative. The step is halved until this change is at most one
+/// pixel. It is doubled as soon as the change in a double step is at most one pixel, too.
 /// Units:   pixels from `origin`, which keeps numbers, and so rounding errors, small.
-/// Expects: 512 equal steps, or fewer, would do, so that at most 1024 are made. Then rounding
-///          errors are below 2^-20 pixel; NUMERICS.md, section 20.
+/// Expects: a curve that 512 or fewer equal steps divide into changes of at most one pixel. Then at
+///          most 1024 steps are made, and rounding errors are below 2^-20 pixel; NUMERICS.md,
+///          section 20.
 class adaptive_walk {
 public:
     explicit adaptive_walk(const l3d_curve_2d& curve)

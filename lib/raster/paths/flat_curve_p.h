@@ -22,8 +22,7 @@ inline l3d_point_2d projected(const l3d_curve_2d::point& p) {
     return {p[0] / p[2], p[1] / p[2]};
 }
 
-/// The box in which a path is seen. Parts of curves outside of it need no fine chords. Units:
-/// pixels.
+/// The box in which a path is seen. Outside of the box, curves need no fine chords. Units: pixels.
 struct seen_box {
     double left, top, right, bottom;
 
@@ -53,8 +52,8 @@ struct flat_plan {
 
 /// Finds the number of chords that keep within a distance of the curve.
 ///
-/// The chords' ends are moved off the curve, to the outer side of its bend, so that chords err to
-/// both sides alike. NUMERICS.md, section 20.
+/// The chords' ends are moved off the curve, to the outer side of its bend, so that the chords'
+/// errors are equally large on both sides of the curve. NUMERICS.md, section 20.
 flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
 
 /// The length of the first and the last step, in units of the other steps' length. These two steps
@@ -62,7 +61,7 @@ flat_plan flat_steps(const l3d_curve_2d& curve, double distance);
 /// sqrt 8.
 inline constexpr double flat_step_at_ends = (1 + std::numbers::sqrt2) / (2 * std::numbers::sqrt2);
 
-/// The length of a step in the curve's parameter, except for those at the ends.
+/// The length of a step in the curve's parameter, except for the first and the last step.
 /// Expects: at least 2 steps.
 constexpr double flat_step(std::size_t steps) {
     return 1 / (static_cast<double>(steps - 2) + 2 * flat_step_at_ends);
@@ -75,15 +74,15 @@ inline constexpr std::size_t most_flat_steps = 64;
 inline constexpr std::size_t flat_points_at_once = 8;
 
 /// Finds the points at which a curve's chords meet, one fewer than the `steps` chords.
-/// Shape:   `points` has room for flat_points_at_once more.
+/// Shape:   `points` has room for flat_points_at_once more points.
 void find_flat_points(const l3d_curve_2d& curve, std::size_t steps, l3d_point_2d* points);
 
-/// Memory for the points of a curve until they are taken. Callers that flatten many curves keep it,
-/// as setting it up takes as long as a short curve.
+/// Memory for the points of a curve until they are taken. Callers that flatten many curves keep
+/// this memory, as setting it up takes as long as flattening a short curve.
 using flat_room = std::array<l3d_point_2d, most_flat_steps + flat_points_at_once>;
 
-/// Divides a curve into chords, and calls lines(points) for their ends, some at a time. A part
-/// outside of the box `seen` becomes one chord.
+/// Divides a curve into chords, and calls lines(points) for the chords' ends, several at a time. A
+/// part outside of the box `seen` becomes one chord.
 template <class Lines>
 void flatten(const l3d_curve_2d& curve, double distance, const seen_box& seen, flat_room& room,
              const Lines& lines) {

@@ -108,9 +108,10 @@ bool l3d_gradient::is_one_piece(double from, double to) const {
     return of_first == &piece_at(to, last) && last - first >= (to - from) / 2;
 }
 
-/// Adds the integral of the colours from one place to another, times a linear weight. The numbers
-/// of a colour are red, green and blue, each times alpha, and alpha. Within a piece, these numbers
-/// are at most quadratic, and cubic with the weight. So two Gauss points are exact.
+/// Adds the integral of colour times weight from one place to another. The weight is linear in the
+/// place. The numbers of a colour are red, green and blue, each times alpha, and alpha. Within a
+/// piece, these numbers are at most quadratic, and cubic with the weight. So two Gauss points are
+/// exact.
 void l3d_gradient::add_in_period(double from, double to, double weight_from, double weight_to,
                                  numbers& sum) const {
     const double rise = to > from ? (weight_to - weight_from) / (to - from) : 0;
@@ -150,7 +151,8 @@ void l3d_gradient::add(double from, double to, double weight_from, double weight
 }
 
 /// The mean colour of a square over which the place in the gradient changes linearly. The density
-/// of places in the square is a trapezoid, as wide as both changes together.
+/// of the places' values in the square is a trapezoid. It is as wide as the changes over the
+/// square's width and height together.
 l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     const double wide = std::max(std::abs(of.right), std::abs(of.down));
     const double narrow = std::min(std::abs(of.right), std::abs(of.down));
@@ -178,8 +180,8 @@ l3d_gradient::numbers l3d_gradient::mean(const slope& of) const {
     return sum;
 }
 
-/// The place in the gradient of a point, and its change from pixel to pixel. Along a ray d from the
-/// focus f to the unit circle, the place is 1 / s with |f + s d| = 1.
+/// A point's place in the gradient, and the change of this place from pixel to pixel. Along a ray d
+/// from the focus f to the unit circle, the place is 1 / s with |f + s d| = 1.
 l3d_gradient::slope l3d_gradient::slope_at(l3d_point_2d at) const {
     const l3d_point_2d unit = to_unit_.at(at), &across = to_unit_.across, &down = to_unit_.down;
     if (!radial_)

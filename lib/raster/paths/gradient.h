@@ -23,19 +23,19 @@ struct L3D_PUBLIC l3d_color_stop {
 /// The continuation of a gradient before its beginning and behind its end.
 enum class L3D_PUBLIC l3d_spread {
     pad,    ///< beyond both ends, the colour of the nearest stop
-    repeat, ///< the gradient again and again, from 0 to 1
-    reflect ///< the gradient backwards and forwards by turns
+    repeat, ///< beyond both ends, the gradient again and again, from 0 to 1
+    reflect ///< beyond both ends, the gradient backwards and forwards by turns
 };
 
 /// Colours that change along a line, or from a place outwards.
 ///
 /// Red, green, blue and alpha are each linear between two stops, in the coded values of pixel
-/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. It
-/// gets this mean also where stops jump or a gradient repeats within the pixel.
+/// words. A pixel gets the mean over its square, in which colours are weighted by their alpha. The
+/// pixel gets this mean also where stops jump or a gradient repeats within it.
 ///
-/// A linear gradient is exact. A radial one is taken as linear in each of up to 32 x 32 parts of
-/// the square. So a place where stops jump moves by less than 1/512 pixel, if it is more than 1/8
-/// pixel away from the focus. Pixels store the nearest whole level.
+/// A linear gradient is exact. A radial gradient is taken as linear in each of up to 32 x 32 parts
+/// of the square. So a place where stops jump moves by less than 1/512 pixel, if it is more than
+/// 1/8 pixel away from the focus. Pixels store the nearest whole level.
 /// Units:   pixels, as in l3d_rasterizer_2d.
 /// Cost:    a square root and some products for each pixel. Stops within the pixel add some
 ///          products for each stop and each part of the square.
@@ -54,14 +54,14 @@ public:
         return radial(center, radius, center, stops, spread);
     }
     /// Makes a gradient from a focus to a circle: along each ray, the gradient goes from 0 at the
-    /// focus to 1 on the circle. A focus that is not inside of the circle is moved into it, to 1 -
-    /// 2^-10 of the radius.
+    /// focus to 1 on the circle. A focus that is not inside of the circle is moved into it: its
+    /// distance from the centre becomes 1 - 2^-10 of the radius.
     /// Expects: stops in order, at least one; a radius above 0.
     static l3d_gradient radial(l3d_point_2d center, double radius, l3d_point_2d focus,
                                std::span<const l3d_color_stop> stops,
                                l3d_spread spread = l3d_spread::pad);
 
-    /// This gradient after the plane is turned, stretched or moved.
+    /// The gradient that results if `place` maps every point of this gradient.
     /// Expects: a placement that maps no area to 0.
     l3d_gradient placed(const l3d_placement_2d& place) const;
 
@@ -81,7 +81,7 @@ private:
         numbers at(double place) const;
     };
 
-    /// The change of the place in the gradient over a square of the picture.
+    /// How the place in the gradient changes over a square of the picture.
     struct slope {
         double place;
         double right, down; ///< change of the place over the square's width, and over its height
@@ -112,8 +112,9 @@ private:
 
 /// A tensor product patch with a colour at each corner, as in PDF shadings of type 7.
 ///
-/// Shape:   points[row][column]: rows along v, columns along u. The colours are those at (u, v) =
-///          (0, 0), (1, 0), (0, 1), (1, 1), bilinear between these corners.
+/// Shape:   points[row][column]: rows along v, columns along u. The member `colors` has the colours
+///          at (u, v) = (0, 0), (1, 0), (0, 1), (1, 1). Between these corners, colours are
+///          bilinear.
 struct L3D_PUBLIC l3d_mesh_patch {
     std::array<std::array<l3d_point_2d, 4>, 4> points; ///< control points, in pixels
     std::array<std::uint32_t, 4> colors{};             ///< the colours at the corners, 0x00RRGGBB

@@ -47,7 +47,7 @@ struct mesh_cell {
     bool rises;                         ///< whether the cell's diagonal goes from (0, 1) to (1, 0)
 
     /// The corners of the cell's two triangles, the triangle above the diagonal first. The first
-    /// and the last corner of each are on the diagonal.
+    /// and the last corner of each triangle are on the diagonal.
     std::array<std::array<std::size_t, 3>, 2> triangles() const {
         if (rises)
             return {{{2, 0, 1}, {1, 3, 2}}};
@@ -71,7 +71,8 @@ struct mesh_strip {
 /// Dices the patches of a mesh so that neighbours meet without cracks.
 ///
 /// The points of a border depend only on its four control points and its steps, and not on its
-/// direction. For this, i / n and (n - i) / n are both rounded once, and terms are added in pairs.
+/// direction. For this, the parameters i / n and (n - i) / n are each rounded once, and terms are
+/// added in pairs.
 /// Lives:   no longer than the patches.
 class mesh_dicer {
 public:
@@ -82,8 +83,9 @@ public:
     const mesh_knots& along() const { return along_; }
     const mesh_knots& down() const { return down_; }
 
-    /// Calls shade(mesh_strip) for the strips of each patch with finite numbers. By the order of
-    /// the PDF standard, larger v come later and cover earlier ones; at equal v, larger u do.
+    /// Calls shade(mesh_strip) for the strips of each patch with finite numbers. The order is that
+    /// of the PDF standard: larger v come later and cover smaller v. At equal v, larger u come
+    /// later and cover smaller u.
     template <class Shade> void visit(const Shade& shade) {
         for (std::size_t i = 0; i < patches_.size(); ++i) {
             if (!is_finite(patches_[i]))
@@ -108,7 +110,8 @@ private:
     std::span<const l3d_mesh_patch> patches_;
     std::vector<mesh_dicing> dicings_;
     mesh_knots along_, down_;
-    /// For each cell of a strip, whether its diagonal rises; has room for more lanes, as mesh_row.
+    /// For each cell of a strip, whether its diagonal rises; the vector has room for more lanes, as
+    /// mesh_row has.
     std::vector<double> rises_;
     mesh_row above_, below_;
 };

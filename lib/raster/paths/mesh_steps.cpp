@@ -13,12 +13,12 @@ namespace {
 /// The largest errors of a dicing. A colour may be `place_error` pixels from its place on the
 /// patch. A linear colour may be `level_error` levels from the bilinear colour.
 constexpr double place_error = 1.0 / 16, level_error = 1.0 / 16;
-/// The largest number of steps in a quarter. With so many steps, each triangle of a patch covers
-/// some 2^-5 pixels in pictures of 2^14 pixels a side.
+/// The largest number of steps in a quarter. If a patch fills a picture of 2^14 pixels a side, each
+/// of its 512 x 512 cells is then 2^5 pixels wide.
 constexpr int most_steps = 128;
 
-/// One coordinate of a bicubic patch's control points, or of the control vectors of its second
-/// derivative.
+/// Four control numbers in a row of a net. A net has one coordinate of a bicubic patch's control
+/// points, or of the control vectors of a second derivative.
 using curve = std::array<double, 4>;
 using net = std::array<curve, 4>;
 
@@ -105,7 +105,7 @@ double longest(const nets& of) {
 
 /// The largest x y a + y z b + z x c for x, y, z >= 0 with the sum 1. If one of a, b and c is at
 /// least the sum of the other two, the largest value is in the middle of the triangle's side to
-/// which this number belongs, else inside.
+/// which this number belongs. Otherwise it is inside the triangle.
 double largest_mix(double a, double b, double c) {
     const double most = std::max({a, b, c});
     if (2 * most >= a + b + c)
@@ -116,7 +116,8 @@ double largest_mix(double a, double b, double c) {
     return most * (a * b * c / (2 * (a * b + b * c + c * a) - a * a - b * b - c * c));
 }
 
-/// Steps of equal length, at most 1 / `steps`, that are short enough for a part of a patch.
+/// The steps that a part of a patch needs: steps of at most 1 / `steps` of the whole parameter
+/// range are short enough.
 struct needed_steps {
     double steps;
     bool rising; ///< whether cells are cut along the rising diagonal

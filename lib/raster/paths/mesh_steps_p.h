@@ -19,22 +19,23 @@ bool is_finite(const l3d_mesh_patch& patch);
 /// The numbers of steps along one parameter of a patch. If `whole` is at most `few`, the patch has
 /// that many equal steps. Otherwise each quarter has its own number of steps.
 struct mesh_steps {
-    /// The largest number of equal steps. More steps cost more than quarters, as one step in each
-    /// quarter makes no more segments.
+    /// The largest number of equal steps. Where more are needed, quarters cost less, as each
+    /// quarter has only as many steps as it needs.
     static constexpr int few = 4;
 
     int whole = 1;
     std::array<int, 4> of_quarter{1, 1, 1, 1};
 
     bool is_quartered() const { return whole > few; }
-    /// Raises these numbers of steps to another border's numbers of steps, where those are larger.
+    /// Raises each number of steps to the same number of another border, where the latter is
+    /// larger.
     void cover(const mesh_steps& other);
     /// The same steps for the parameter that runs in the opposite direction.
     mesh_steps backwards() const;
 };
 
-/// The parameters, from 0 to 1, at which steps begin or end. Knots of mesh_steps::backwards() are 1
-/// minus these, and their weights have the same bits.
+/// The parameters, from 0 to 1, at which steps begin or end. The knots of mesh_steps::backwards()
+/// are 1 minus these knots, and have weights with the same bits.
 ///
 /// Shape:   `size` elements in each array, and `room` more that lanes may read past the last.
 struct mesh_knots {
@@ -52,8 +53,9 @@ struct mesh_knots {
 
 /// The way in which triangles of a mesh get the colours between their corners.
 enum class mesh_colors {
-    linear,  ///< linear functions between the colours of the triangle's corners
-    bilinear ///< the patch's bilinear colours, at parameters that are linear between the corners'
+    linear, ///< linear functions between the colours of the triangle's corners
+    /// The patch's bilinear colours; its parameters are linear between the triangle's corners.
+    bilinear
 };
 
 /// The way in which a patch is diced.
@@ -68,14 +70,14 @@ struct mesh_dicing {
     }
 };
 
-/// Finds the dicing of each patch. Errors of its triangles are within the allowed ones. Patches
-/// with a common border have the same steps along it, in whichever direction it runs in each.
-/// Patches that are not finite get an arbitrary dicing.
+/// Finds a dicing of each patch that keeps the errors of its triangles within fixed limits of place
+/// and colour. Patches with a common border have the same steps along it, even if the border runs
+/// in opposite directions in them. Patches that are not finite get an arbitrary dicing.
 std::vector<mesh_dicing> dicings_of(std::span<const l3d_mesh_patch> patches, mesh_colors colors);
 
 /// Gives patches that share a border the same steps along it, as many as each of them needs. A
-/// border is shared if its four control points are the same. The opposite borders, and the patches
-/// that share these, take part, too.
+/// border is shared if its four control points are the same. Opposite borders of a patch always
+/// have the same steps. So the patches that share the opposite borders get these steps, too.
 /// Expects: a dicing for each patch.
 void agree_on_borders(std::span<const l3d_mesh_patch> patches, std::span<mesh_dicing> dicings);
 

@@ -47,8 +47,9 @@ struct set_up_triangles {
     alignas(64) std::array<integers_of_all, 3> first, per_column, per_row;
     /// The linear functions that give red, green and blue.
     alignas(64) std::array<floats_of_all, 3> start, across, down;
-    /// The twist of a bilinear colour. At each place, it adds `twist` times the shares of the two
-    /// corners on the diagonal to the linear colour.
+    /// The twist of a bilinear colour. At each place, the bilinear colour exceeds the linear colour
+    /// by `twist` times the product of two shares. These are the barycentric coordinates of the two
+    /// corners on the diagonal.
     alignas(64) std::array<floats_of_all, 3> twist;
     struct share {
         floats_of_all start, across, down;

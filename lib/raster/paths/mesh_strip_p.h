@@ -13,12 +13,12 @@
 
 namespace l3d_detail {
 
-/// Shades the triangles of a strip in their order, from number `first` on. A colour is the nearest
-/// one to its cell's bilinear colour, within 2^-8.
+/// Shades the triangles of a strip in their order, from the triangle with index `first` on. A
+/// colour is the nearest one to its cell's bilinear colour, within 2^-8.
 ///
 /// Triangles are set up together, one in each lane, and then filled one by one. The function stops
 /// at a triangle that is large, not wholly in the picture, or changes colour too fast. Returns the
-/// number of that triangle, or of all triangles.
+/// index of this triangle, or the number of all triangles if it stops at none.
 /// Expects: `ends` = {width, height} of the picture, or less, and at most 2^15.
 std::size_t shade_strip(const l3d_pixels& target, const mesh_strip& strip,
                         const std::array<double, 2>& ends, std::size_t first);

@@ -26,14 +26,14 @@
 using l3d_curve_2d = l3d_bezier_curve<double, 3>;
 
 /// The largest distance of a drawn curve from the exact one, in pixels. If the curves in a pixel
-/// are two pixels long together, these errors and rounding to 8 bits change its coverage by less
-/// than 1 / 255. See NUMERICS.md, section 20.
+/// are two pixels long together, these errors and rounding to 8 bits change the pixel's coverage by
+/// less than 1 / 255. See NUMERICS.md, section 20.
 inline constexpr double l3d_flat_enough = 1.0 / 1024;
 
 /// A path: outlines that begin with move_to, and continue with lines and curves.
 ///
 /// When a path is filled, every outline counts as closed. A line or curve that follows no outline
-/// begins a new one at (0, 0).
+/// begins a new outline at (0, 0).
 /// Units:   pixels, as in l3d_rasterizer_2d: pixel (x, y) is sampled at (x, y), y down.
 /// Lives:   a value; it owns its points.
 /// Cost:    the memory of its points. Adding allocates if there are more points than ever before.
@@ -60,7 +60,7 @@ public:
     void rational_to(const std::array<l3d_point_2d, 3>& points,
                      const std::array<double, 3>& weights);
     /// Adds an arc of an ellipse, after a straight line to the arc's beginning. If no outline is
-    /// open, one begins there instead.
+    /// open, an outline begins there, without this line.
     ///
     /// The arc's points are center + R(turn) (radii.x cos a, radii.y sin a), for a from begin to
     /// begin + sweep. The arc is exact: a rational curve for each quarter or less.
@@ -90,9 +90,9 @@ public:
     bool is_number() const;
 
     /// Calls visit.move(point), visit.line(point), visit.curve(l3d_curve_2d) and visit.close() for
-    /// the pieces in order. Coordinates beyond +-2^30 are clamped to it. If the visitor has a
-    /// function lines(std::span<const l3d_point_2d>), that function gets the ends of many lines at
-    /// once.
+    /// the pieces in order. Coordinates beyond +-2^30 are clamped to this limit. If the visitor has
+    /// a function lines(std::span<const l3d_point_2d>), that function gets the ends of many lines
+    /// at once.
     template <class Visitor> void visit(Visitor& visitor) const;
 
 private:
@@ -230,10 +230,10 @@ struct L3D_PUBLIC l3d_stroke {
 /// border of the covered area along the curve is within twice l3d_flat_enough. Ends of curves, and
 /// ends of dashes on curves, are square to the curve.
 ///
-/// A corner that turns very little has one point on either side, whatever the join: a disc's arc
-/// there is within l3d_flat_enough of its chord. Other round joins, and round caps, become chords
-/// that enclose the same area as their arcs. They change the area of no pixel by more than
-/// l3d_flat_enough.
+/// A corner that turns very little has one point on either side, whatever the join. The reason is
+/// that a disc's arc at this corner is within l3d_flat_enough of its chord. Round joins at other
+/// corners, and round caps, become chords that enclose the same area as their arcs. These chords
+/// change the area of no pixel by more than l3d_flat_enough.
 ///
 /// An outline of a single point shows a round or a square cap. A very short outline is complete
 /// even where its lines turn by half a turn. If a closed outline begins within a dash, its first

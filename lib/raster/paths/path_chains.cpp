@@ -81,7 +81,7 @@ void path_chains::cut_at_sides() {
 }
 
 /// Ends an outline, and cuts it into blocks and perhaps chains. Outlines beside the picture are
-/// dropped, since a dashed line may have a million of them.
+/// dropped, since a dashed line may have a million outlines there.
 void path_chains::end(std::uint8_t layer) {
     const l3d_point_2d closing = corners_[outline_];
     corners_.push(closing);
@@ -184,8 +184,9 @@ void path_chains::sort() {
     std::ranges::sort(outlines_, {}, [](const outline& o) { return o.box.top; });
 }
 
-/// Finds the outlines that overlap no other one. It goes through the outlines in the order of their
-/// tops, and compares each outline with those that have begun above its top and not ended.
+/// Finds the outlines whose boxes meet no other outline's box. It goes through the outlines in the
+/// order of their tops. It compares each outline with the outlines that begin above its top and
+/// have not ended there.
 void path_chains::find_apart() {
     if (std::ranges::none_of(outlines_, &outline::is_pair))
         return;

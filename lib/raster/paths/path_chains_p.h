@@ -30,10 +30,10 @@ struct corner_run {
 };
 
 /// The part of a chain in one row of pixels. It goes from the place where the chain enters the row,
-/// by the chain's corners in the row, to the place where the chain leaves it.
+/// through the chain's corners in the row, to the place where the chain leaves the row.
 /// Units:   pixels of the box, row r from y = r to r + 1.
 struct row_piece {
-    double left, right; ///< the piece lies between these x
+    double left, right; ///< the least and the largest x of the piece
     l3d_point_2d enters, leaves;
     corner_run corners; ///< the corners between the piece's ends
     /// 1 if the outline leads up, adding 1 to the winding on the right; else -1.
@@ -72,7 +72,8 @@ public:
     /// Expects: the picture has rows 0 to height - 1, and the chain reaches at least one of them.
     chain(const l3d_point_2d* all, std::size_t first, std::size_t last, std::int32_t height);
 
-    /// The first row that the chain reaches; bottom() is the row after the last.
+    /// The first row that the chain reaches; bottom() is the row after the last row that it
+    /// reaches.
     std::int32_t top() const { return top_; }
     std::int32_t bottom() const { return bottom_; }
     /// The place where the chain enters the picture.
@@ -94,11 +95,12 @@ private:
 };
 
 /// Takes outlines, and cuts them at the sides of a picture. An outline that turns only once upwards
-/// and once downwards is cut into two chains, too.
+/// and once downwards is also cut into two chains.
 ///
 /// Corners outside of the picture move to its sides. So outlines stay closed, and windings inside
-/// of the picture stay the same. Horizontal edges belong to the chain before them.
-/// Cost:    linear in the corners; allocates when there are more than ever before.
+/// of the picture stay the same. Horizontal edges belong to the chain that comes before these edges
+/// in the outline.
+/// Cost:    linear in the corners; allocates when there are more corners than ever before.
 class path_chains {
 public:
     /// Removes all outlines. Corners that are added later are moved by `move`.
@@ -109,7 +111,7 @@ public:
     void lines(std::span<const l3d_point_2d> corners);
     void end(std::uint8_t layer);
 
-    /// All chains; corners() is the array of their corners.
+    /// All chains. corners() is the array of the chains' corners.
     std::span<const chain> chains() const { return chains_; }
     const l3d_point_2d* corners() const { return corners_.data(); }
 
@@ -119,7 +121,8 @@ public:
         std::uint32_t first, end;
         double top, bottom;
     };
-    /// The blocks of all outlines. Blocks of one outline follow each other in its order.
+    /// The blocks of all outlines. Blocks of one outline follow each other in the order of its
+    /// edges.
     const std::vector<block>& blocks() const { return blocks_; }
 
     /// An outline that reaches the picture.
@@ -127,7 +130,8 @@ public:
         l3d_pixel_box box; ///< the box of all pixels that the outline reaches
         /// Index of the outline's first block, and the number of its blocks.
         std::size_t first_block, blocks;
-        /// Index of the first of its two chains; `none` if the outline is not cut into two.
+        /// Index of the outline's first chain, which its second chain follows; `none` if the
+        /// outline is not cut into two chains.
         std::size_t chains;
         std::uint8_t layer; ///< 0: an outline of the filled path; 1: of its clip path
         bool apart;         ///< whether its box meets no other outline's box; find_apart sets it
@@ -139,7 +143,7 @@ public:
     /// Sorts outlines by their tops.
     void sort();
     /// Finds the outlines whose boxes meet no other outline's box, and sets their `apart`. It
-    /// searches only if an outline of two chains may be among these. Expects: sorted.
+    /// searches only if one of these may be an outline of two chains. Expects: sorted.
     void find_apart();
 
 private:

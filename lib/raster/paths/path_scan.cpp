@@ -80,7 +80,7 @@ void path_scan::add_pairs() {
             add_pair(chains_.chains()[o.chains], chains_.chains()[o.chains + 1]);
 }
 
-/// Adds an outline that only turns at its top and its bottom, as all convex ones do.
+/// Adds an outline that only turns at its top and its bottom, as all convex outlines do.
 void path_scan::add_pair(const chain& a, const chain& b) {
     kept_list<covered_span>& spans = writer_.spans();
     kept_list<std::uint8_t>& values = writer_.values();

@@ -25,11 +25,11 @@ namespace l3d_detail {
 /// Turns paths into spans of covered pixels. The coverage is exact except for rounding, and for the
 /// distance of chords from curves.
 ///
-/// An outline of two chains that is near no other is filled between them, many rows at once. All
-/// other outlines go to band_cells, band by band.
-/// Cost:    a few operations for each pixel that an edge passes, and an eighth of one for each
-///          pixel of the outlines' box. Allocates when a path has more edges or spans than ever
-///          before.
+/// If an outline of two chains is near no other outline, the area between its chains is filled,
+/// many rows at once. All other outlines go to band_cells, band by band.
+/// Cost:    a few operations for each pixel that an edge passes, and an eighth of an operation for
+///          each pixel of the outlines' box. Allocates when a path has more edges or spans than
+///          ever before.
 class path_scan {
 public:
     /// A request to draw a path.
@@ -47,8 +47,9 @@ public:
     /// Lives:   until the next call.
     std::span<const covered_span> convert(const order& wanted);
 
-    /// The values of those columns that have a value each; spans hold indices of this array. Behind
-    /// a span's values, as many more may be read as a vector has 32-bit lanes.
+    /// The values of the columns before and after the middles of spans; covered_span::values is an
+    /// index of this array. Behind a span's values, as many more values may be read as a vector has
+    /// 32-bit lanes.
     const std::uint8_t* values() const { return writer_.values().data(); }
 
 private:
@@ -78,7 +79,7 @@ private:
     span_writer writer_;
 };
 
-/// The request that l3d_rasterizer_2d::draw_path makes, for a picture.
+/// The order by which l3d_rasterizer_2d::draw_path draws into a picture.
 inline path_scan::order order_of(const l3d_path& path, const l3d_fill& fill,
                                  const l3d_pixel_box& picture) {
     return {path,

@@ -14,11 +14,11 @@ namespace {
 /// every picture, and arcs of wider pens would have ever more pieces.
 constexpr double widest_pen = 1 << 30;
 
-/// The largest turn between neighbouring points of an arc that keeps the error of a pixel's area
-/// within l3d_flat_enough. Chords of a turn u lose up to r^2 u^3 / (81 sqrt 2) on one side before
-/// the other side makes up for this loss. Such losses may occur four times in a pixel. For large
-/// circles, the distance of chords from the rim allows more, as at most sqrt 2 pixels of the rim
-/// are in a pixel. See NUMERICS.md, section 20.
+/// The largest turn between neighbouring points of an arc for which the area in every pixel errs by
+/// at most l3d_flat_enough. Chords of a turn u lose up to r^2 u^3 / (81 sqrt 2) on one side before
+/// the other side makes up for this loss. Up to four of these losses may fall into one pixel. For
+/// large circles, the distance of chords from the rim allows more, as at most sqrt 2 pixels of the
+/// rim are in a pixel. See NUMERICS.md, section 20.
 double most_turn(double radius) {
     constexpr double root = std::numbers::sqrt2;
     const double by_area = std::cbrt(81 * root / 4 * l3d_flat_enough / (radius * radius));

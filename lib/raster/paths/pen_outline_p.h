@@ -38,7 +38,8 @@ private:
     struct chord {
         l3d_point_2d from, to;
         double length;
-        /// Directions of the path at both ends; the pen is square to them.
+        /// Directions of the path at the chord's beginning and end. There, the pen is square to
+        /// these directions.
         l3d_point_2d begins, ends;
         bool smooth; ///< whether the chord's beginning lies within a curve
     };
@@ -47,7 +48,7 @@ private:
     struct joint {
         l3d_point_2d at;
         /// The path's directions at the end of the first chord and at the beginning of the second
-        /// one.
+        /// chord.
         l3d_point_2d ends, begins;
         double shortest; ///< the length of the shorter chord
         l3d_join join;
@@ -73,7 +74,8 @@ private:
                         const std::vector<l3d_point_2d>& turns, side& to);
     void end_outline(side& outline);
 
-    /// A point on the left of a joint, in the mean of the directions to the left of both chords.
+    /// A point on the left of a joint. It is away from the joint by the sum of the unit vectors to
+    /// the left of both chords, times `scale`.
     static l3d_point_2d between(const joint& j, double scale) {
         return {j.at.x + scale * (j.ends.y + j.begins.y), j.at.y - scale * (j.ends.x + j.begins.x)};
     }

@@ -45,8 +45,9 @@ void pixel_area::add(const edge_record* all, std::uint32_t last, std::size_t lay
 /// A visit is an outline's passage through the pixel, from side to side. The winding number on a
 /// visit's higher side is larger by 1 than on its lower side. If a visit adds less than 0, the
 /// pixel's top left corner is on its higher side. Two successive edges whose corner lies outside
-/// the pixel do not cross inside. If they turn to the right, each place is on the higher side of at
-/// least one of them. If they turn to the left, each place is on the lower side of at least one.
+/// the pixel do not cross inside. If the two edges turn to the right, each place is on the higher
+/// side of at least one edge. If they turn to the left, each place is on the lower side of at least
+/// one edge.
 pixel_area::windings_range pixel_area::find_range() const {
     constexpr double unclear = 1e-9, surely = 1e-10; // far above rounding
     windings_range range;
@@ -219,8 +220,8 @@ std::optional<double> pixel_area::between_borders(const windings& corner, const 
     return is_close ? std::nullopt : std::optional(area);
 }
 
-/// Finds the changes of the winding numbers down the pixel's left side, at those ends of edges that
-/// lie on this side.
+/// Finds the changes of the winding numbers down the pixel's left side. The numbers change at ends
+/// of edges that lie on this side.
 void pixel_area::find_changes() {
     changes_.clear();
     edges_.visit([&](const edge_block& b, std::size_t lane, std::size_t i) {

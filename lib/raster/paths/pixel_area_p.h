@@ -19,20 +19,21 @@ namespace l3d_detail {
 ///
 /// Bounds of the winding number often prove that the whole pixel lies inside or outside. Where many
 /// outlines pass under the nonzero rule, the bounds are found for parts of the pixel, and often
-/// prove it for each part.
+/// prove the same for each part.
 ///
-/// Otherwise the borders of the inside are found. Along each edge, the winding number on its left
-/// changes where other edges cross it, begin or end. The parts of the edge that have the inside on
-/// one side only are borders, and add to the area. If rounding may tell wrong which of two edges is
-/// on the left, the pixel is cut into slabs.
-/// Cost:    the square of the number of edges. Slabs take n log n for n edges, times their number.
+/// Otherwise the borders of the inside are found. The winding number on an edge's left changes
+/// along the edge where other edges cross it, begin or end. The parts of the edge that have the
+/// inside on one side only are borders, and add to the area. If rounding may tell wrong which of
+/// two edges is on the left, the pixel is cut into slabs.
+/// Cost:    the square of the number of edges. Slabs take n log n for n edges, times the number of
+///          slabs.
 class pixel_area {
 public:
     /// Begins a pixel without edges.
     void begin() { blocks_.clear(), edges_ = {}; }
 
-    /// Adds the edges of a layer that reach the pixel. Their records are a list in `all`: the one
-    /// with index `last`, its `before`, and so on.
+    /// Adds the edges of a layer that reach the pixel. Their records are a list in `all`. The list
+    /// begins with index `last`, and each record's `before` is the index of the next record.
     void add(const edge_record* all, std::uint32_t last, std::size_t layer);
 
     /// The area inside, from 0 to 1, of the pixel with this top left corner. `sums` are the

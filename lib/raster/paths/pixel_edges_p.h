@@ -15,9 +15,9 @@ namespace l3d_detail {
 
 /// The way by which an outline reaches the place in a pixel at which an edge begins.
 enum class cell_begin : std::uint8_t {
-    enters,      ///< the outline enters by a side other than the left one, or by an unknown side
+    enters, ///< the outline enters by the pixel's top, right or bottom side, or by an unknown side
     continues,   ///< the edge begins where the outline's edge before it ends
-    unclear,     ///< the outline's first corner lies in the pixel, or it may cross itself there
+    unclear,     ///< the outline begins at a corner in the pixel, or may cross itself in the pixel
     enters_left, ///< the outline enters by the pixel's left side
 };
 
@@ -29,9 +29,10 @@ struct edge_record {
     static constexpr std::uint32_t mark_bits = 3, marks = 7, begins = 3, leaves_left = 4;
 
     l3d_point_2d from, to;
-    std::uint32_t before; ///< index of the record before this one in the pixel's list; 0 for none
-    /// The edge's index above mark_bits, its cell_begin, and leaves_left if the edge leaves the
-    /// pixel by its left side.
+    /// Index of the record that was added to the pixel's list before this record; 0 for none.
+    std::uint32_t before;
+    /// The edge's index, above mark_bits lower bits. The lower bits hold the edge's cell_begin, and
+    /// leaves_left if the edge leaves the pixel by its left side.
     std::uint32_t edge;
 
     std::uint32_t index() const { return edge >> mark_bits; }
@@ -40,20 +41,22 @@ struct edge_record {
 /// Some edges of a pixel, one in each lane.
 ///
 /// The winding number must not change where an edge meets the pixel's left side. So an edge whose
-/// upper end lies on that side goes on upwards along it, and one whose lower end does goes on
-/// downwards. A horizontal edge counts only by this part along the left side.
+/// upper end lies on that side goes on upwards along it, and an edge whose lower end lies on that
+/// side goes on downwards. A horizontal edge counts only by this part along the left side.
 /// Units:   x and y from 0 to 1, from the pixel's top left corner.
 struct alignas(64) edge_block {
     static constexpr std::size_t size = 8;
     using numbers = std::array<double, size>;
 
-    /// Upper and lower end; before place_edges, begin and end in the picture.
+    /// The upper and the lower end of each edge. Before place_edges, they are the beginning and the
+    /// end of the edge in the picture.
     numbers x0, y0, x1, y1;
     numbers slope; ///< dx / dy; 0 for a horizontal edge
     /// 1 for an edge that leads upwards, which adds 1 to the winding on its right; else -1. A
     /// horizontal edge apart from the left side has 0.
     numbers turns;
-    /// As `turns`, if the edge's upper or lower end is on the pixel's left side; else 0.
+    /// As `turns` if the edge's upper end (for down_left: its lower end) is on the pixel's left
+    /// side, else 0.
     numbers up_left, down_left;
     numbers adds;        ///< the edge's part of the integral of the winding number over the pixel
     numbers top, bottom; ///< the heights between which the edge may be a border of the inside
@@ -91,8 +94,8 @@ struct pixel_edges {
 };
 
 /// Sums over all edges of a pixel: `own` is the part of the winding number's integral that the
-/// edges add. `before` is the winding number on the left of all edges, less the one at the pixel's
-/// corner.
+/// edges add. `before` is the winding number on the left of all edges, less the winding number at
+/// the pixel's corner.
 struct edge_sums {
     double own, before;
 };
@@ -108,7 +111,7 @@ edge_sums place_edges(const pixel_edges& edges, const l3d_point_2d& corner);
 std::uint64_t find_open(const pixel_edges& edges, int beside, int sign);
 
 /// Sets each edge's `top` and `bottom` to the heights between which it may pass fields of
-/// find_open; an edge that passes none gets an empty range.
+/// find_open; an edge that passes none of these fields gets an empty range.
 void set_heights(const pixel_edges& edges, std::uint64_t open);
 
 } // namespace l3d_detail

@@ -97,8 +97,8 @@ void row_areas::add_slab(double top, double bottom, const windings& left, const 
     }
 }
 
-/// Adds chords that cross. Two neighbouring chords change places at a crossing, and the inside
-/// changes only along these two.
+/// Adds chords that cross. At a crossing, two neighbouring chords change places. Only these two
+/// chords may become borders of the inside there, or cease to be borders.
 windings row_areas::add_crossing(std::span<const chord> chords, double top, double bottom,
                                  const windings& left, const fill_rules& rules) {
     find_crossings(chords, top, bottom);

@@ -39,7 +39,8 @@ struct row_edge {
     std::uint8_t layer; ///< 0: an edge of the filled path; 1: of its clip path
 };
 
-/// The winding numbers of a place: in the filled path, and in the path that clips it.
+/// The winding numbers of a place: one number for the filled path, and one for the path that clips
+/// it.
 struct windings {
     std::array<int, 2> turns{};
 
@@ -103,13 +104,13 @@ public:
     /// row's top. `changes` lists, from top to bottom, how these numbers change down the row.
     ///
     /// Edges may cross and lie upon each other. The row is cut at their ends and crossings. Between
-    /// two cuts, edges have an order from left to right. An edge adds area only where one side of
-    /// it is inside and the other outside.
+    /// two cuts, edges have an order from left to right. An edge adds area only where one of its
+    /// sides is inside and the other side is outside.
     void add_cluster(std::span<const row_edge> edges, const windings& left, const fill_rules& rules,
                      std::span<const winding_change> changes = {});
 
-    /// Adds a single border, from x0 to x1, independent of other borders. `height` is its height in
-    /// the row, negative if the inside is on its left.
+    /// Adds a single border, from x0 to x1, independent of other borders. `height` is the border's
+    /// height in the row, negative if the inside is on the border's left.
     void add_border(double x0, double x1, double height);
 
     /// The differences of areas from column to column, to be summed up from the left. There are two
@@ -192,10 +193,10 @@ inline void row_areas::add_border(double x0, double x1, double height) {
     }
 }
 
-/// Adds consecutive borders as a single one as long as they stay in one pixel.
+/// Adds consecutive borders as a single border as long as these borders stay in one pixel.
 class pixel_sum {
 public:
-    /// Takes the x at which the first border begins.
+    /// Begins a sum, which is later added to `areas`. `x` is where the first border begins.
     pixel_sum(row_areas& areas, double x) : areas_(areas), column_(static_cast<std::int32_t>(x)) {}
     ~pixel_sum() { end(); }
     pixel_sum(const pixel_sum&) = delete;

@@ -67,7 +67,7 @@ HWY_ATTR HWY_INLINE number x_at(const straight_edge& edge, number y) {
 /// A chain in a block of rows. Each lane is a row.
 struct side_lanes {
     number enters, leaves, corners, least, most;
-    mask few; ///< rows with few enough corners; unset if the chain is straight
+    mask few; ///< rows with at most few_corners corners; unset if the chain is straight
     std::size_t most_corners = 0;
 
     HWY_ATTR HWY_INLINE side_lanes(const side_block& block, const row_heights& y, std::size_t at) {
@@ -161,8 +161,9 @@ private:
     };
 };
 
-/// Finds the window of a chain with this number of columns: the areas, as differences of area_sum
-/// from column to column, and the values.
+/// Finds the window of a chain with this number of columns, for the rows in lanes from row `at` of
+/// the block on. It finds the values of the coverage. If `joint`, it also stores the areas, which
+/// are differences of area_sum from column to column.
 template <std::size_t Columns, bool is_left>
 HWY_ATTR HWY_INLINE void find_window(const side_block& block, const side_lanes& lanes,
                                      const row_heights& y, double full, std::size_t at, bool joint,

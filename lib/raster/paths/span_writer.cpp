@@ -21,8 +21,8 @@ void span_writer::add_span(std::int32_t row, std::int32_t first, std::int32_t en
         spans_.push({row, first, end, end, end, 0, values_.size()});
 }
 
-/// Whether the last span can grow at this column. It can if it ends there, with columns that have a
-/// value each, and if its values were added last.
+/// Whether the last span can grow at this column. It can if it ends at this column, if its last
+/// columns have a value each, and if its values were added last.
 bool span_writer::ends_at(std::int32_t row, std::int32_t column) {
     if (spans_.size() == 0)
         return false;

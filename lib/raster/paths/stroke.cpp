@@ -29,8 +29,8 @@ l3d_point_2d unit(l3d_point_2d v) {
 }
 
 /// The vector between two points, divided by the square of its length. For neighbouring chords of a
-/// circle, the sum of two such vectors has the circle's direction where the chords meet. The reason
-/// is that the circle turns from each chord by half the angle of the chord's arc.
+/// circle, the sum of both chords' results has the circle's direction where the chords meet. The
+/// reason is that the circle turns from each chord by half the angle of the chord's arc.
 l3d_point_2d inverse_way(const pen_point& from, const pen_point& to) {
     const double x = to.at.x - from.at.x, y = to.at.y - from.at.y, square = x * x + y * y;
     return square > 0 ? l3d_point_2d{x / square, y / square} : l3d_point_2d{};
@@ -65,8 +65,8 @@ struct chord_ends {
     }
 };
 
-/// The directions of a curve at its first and its last point. Each direction is that of the line
-/// between this point and the nearest control point elsewhere.
+/// The directions of a curve at its first and its last point. Each direction leads along the line
+/// between this point and the next control point at another place.
 std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
     const auto from = [&](std::size_t at, std::size_t first, int step) {
         for (std::size_t i = first, n = 0; n < 3; ++n, i += static_cast<std::size_t>(step)) {
@@ -83,7 +83,7 @@ std::array<l3d_point_2d, 2> end_directions(const l3d_curve_2d& c) {
 
 constexpr std::size_t most_dashes = 1000000;
 
-/// The length of a path's control polygons. No outline is longer than its control polygon.
+/// Adds up the lengths of a path's control polygons. No outline is longer than its control polygon.
 struct length_visitor {
     double length = 0;
     l3d_point_2d begin{}, at{};
@@ -135,7 +135,7 @@ private:
 class dasher {
 public:
     /// If `leaves_out`, dashes that no picture shows are not made, except the first and the last
-    /// one.
+    /// dash.
     dasher(const l3d_stroke& pen, pen_outline& outline, double sum, bool leaves_out)
         : pen_(pen), outline_(outline), sum_(sum), leaves_out_(leaves_out) {}
 
@@ -238,8 +238,8 @@ private:
         point.arrives = point.leaves = direction;
     }
 
-    /// Hands the dash to the pen. The first dash of a closed outline waits for the last one, as
-    /// they may meet.
+    /// Hands the dash to the pen. The first dash of a closed outline waits for the last dash, as
+    /// both dashes may meet.
     void end_dash() {
         if (dash_.points.empty())
             return;
@@ -267,7 +267,7 @@ private:
     bool leaves_out_;
     std::size_t turn_ = 0, dashes_ = 0;
     dash dash_, first_;
-    bool held_ = false; ///< whether the first dash of a closed outline waits for the last one
+    bool held_ = false; ///< whether the first dash of a closed outline waits for the last dash
 };
 
 bool is_sound(const l3d_stroke& pen) {

@@ -12,8 +12,8 @@ namespace l3d_detail {
 
 namespace {
 
-/// The number of fragments at which hidden ones are removed for the first time. So many fragments
-/// take 1 MB, and their polygons up to 10 MB. A band of a usual frame has fewer.
+/// The number of fragments at which hidden ones are removed for the first time. This number of
+/// fragments takes 1 MB, and their polygons take up to 10 MB. A band of a usual frame has fewer.
 constexpr std::size_t least_most_fragments = std::size_t{1} << 16;
 
 /// Finds the pixels that may have a sample in a polygon's box.

@@ -21,13 +21,14 @@ namespace l3d_detail {
 /// Gathers the fragments of polygons that are seen in the marked pixels of a band. A fragment is
 /// the part of a polygon in one pixel.
 ///
-/// Lives: one for each worker, kept for its memory.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory.
 /// Cost:  memory for the marked pixels, for the fragments that are seen, and for as many more.
 ///        Hidden fragments are removed whenever their number has doubled.
 class band_fragments {
 public:
-    /// Starts a band of a picture. If its first rows have at least `most` marked pixels, only these
-    /// rows are taken.
+    /// Starts a band of a picture. It takes rows of tiles (marked_pixels) from the band's top on,
+    /// until the number of marked pixels reaches `most`.
     /// Returns: the end of the rows taken.
     /// Expects: the band begins at a tile of marked_pixels.
     std::int32_t begin(const l3d_pixel_bits& marks, const drawn_depth& depth,
@@ -47,10 +48,10 @@ public:
     /// Folded quads are added in pieces. `levels` tells whether the mode is l3d_shade::levels.
     void add(const band_list& list, const band_item& item, bool levels);
 
-    /// Opens each closed pixel again that has a sample which no polygon covers, and removes its
-    /// fragments. Returns whether any pixel is open again. Then the caller has to add all items
-    /// once more; only the pixels opened again take them. Samples stay uncovered at slits, and
-    /// farther surfaces may be seen there.
+    /// Opens closed pixels again that have samples which no polygon covers, and removes the
+    /// fragments of these pixels. Returns whether any pixel is open again. If so, the caller has to
+    /// add all items once more; only the pixels opened again take fragments of these. Samples stay
+    /// uncovered at slits, and farther surfaces may be seen there.
     bool reopen() { return pixels_.reopen(); }
 
     std::span<const marked_pixel> pixels() const { return pixels_.pixels(); }

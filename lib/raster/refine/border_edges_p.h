@@ -14,10 +14,11 @@
 namespace l3d_detail {
 
 /// Finds the borders of a band's parts that are contours. Two parts that share an edge have the
-/// same vertices there, bit by bit. If both parts lie on the same side of the edge in the picture,
-/// the surface folds over there. If the parts lie on different sides, the surface continues. Then
-/// the edge is a contour only if the levels on both sides differ.
-/// Lives: one for each worker, kept for its memory.
+/// same vertices along it, bit by bit. If both parts lie on the same side of the edge in the
+/// picture, the surface folds over at the edge. If the parts lie on different sides, the surface
+/// continues. Then the edge is a contour only if the levels on both sides differ.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory.
 class border_edges {
 public:
     /// Starts a band: the pixel rows [top, bottom).

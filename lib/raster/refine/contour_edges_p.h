@@ -17,17 +17,18 @@ namespace l3d_detail {
 /// another. In the picture, the surface lies on its right. Farther things are seen on its left.
 struct contour_edge {
     scan_point from, to; ///< both ends of the edge; units: 1/256 pixel
-    float nearest = 0;   ///< the larger inv_w of both ends
+    float nearest = 0;   ///< inv_w at the nearer end: the larger one of the ends' inv_w
 };
 
-/// Finds the edges of grids at which a surface folds over. They lie between a polygon that turns to
-/// the right in the picture and a polygon that does not. A folded quad is taken as the four
-/// triangles by which it is filled.
+/// Finds the edges of grids at which a surface folds over. Each of these edges lies between a
+/// polygon that turns to the right in the picture and a polygon that does not. A folded quad is
+/// taken as the four triangles by which it is filled.
 ///
 /// Around a vertex, polygons that turn to the right fill the same angle as those that turn to the
-/// left. So polygons of both kinds end at such an edge. A surface has no other outlines than these
-/// edges and its borders.
-/// Lives: one for each worker, kept for its memory.
+/// left. So where polygons of one kind end at an edge, polygons of the other kind begin. All
+/// outlines of a surface are among these edges and the surface's borders.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory.
 class contour_edges {
 public:
     /// Finds the edges of an item's quads that may reach pixel rows [top, bottom). Edges at the

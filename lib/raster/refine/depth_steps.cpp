@@ -18,7 +18,7 @@
 #define L3D_RASTER_FIND_JUMPS_ONCE
 namespace l3d_detail {
 
-/// Whether there is a jump from the second to the third of four pixels in a line.
+/// Whether levels jump from the second to the third of four neighbouring pixels in a row or column.
 inline bool is_jump(const std::uint32_t (&words)[4]) {
     for (const int shift : {0, 8, 16}) {
         const auto rise = [&](std::size_t i) {

@@ -14,9 +14,9 @@ namespace l3d_detail {
 /// edge between them. Differences count in each channel, less the part that shading explains. At an
 /// edge that is not found, a pixel may be wrong by half of this limit.
 ///
-/// Take the differences from the two pixels to the pixels before and behind them on the line.
-/// Steady shading explains twice the smaller one of these, if they have the same sign. A kink of
-/// the shading explains the larger one, up to most_kink_levels.
+/// Take the line through both pixels, and the differences from each pixel to its outer neighbour on
+/// this line. Steady shading explains twice the smaller one of these differences, if they have the
+/// same sign. A kink of the shading explains the larger one, up to most_kink_levels.
 inline constexpr int jump_levels = 8;
 
 /// The largest difference that a kink of the shading explains. If shading of 16 levels a pixel

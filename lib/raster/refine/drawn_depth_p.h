@@ -22,7 +22,8 @@ public:
                 const coarse_depth& coarse)
         : first_(first), pitch_(pitch), window_(window), coarse_(&coarse) {}
 
-    /// The farthest depth in a pixel and its neighbours; 0 if one of these pixels is empty.
+    /// The farthest depth in a pixel and its eight neighbours; 0 if one of these nine pixels is
+    /// empty.
     /// Expects: (x, y) lies in the window.
     float farthest(std::int32_t x, std::int32_t y) const {
         const std::int32_t left = std::max(x - 1, window_.left), top = std::max(y - 1, window_.top),
@@ -44,8 +45,8 @@ public:
     }
 
     /// Whether a pixel and all its neighbours show surfaces at least as near as `inv_w`. The
-    /// neighbour (x + to_x, y + to_y) is tested first: choose a neighbour that likely shows no such
-    /// surface.
+    /// neighbour (x + to_x, y + to_y) is tested first: choose a neighbour that likely shows a
+    /// farther surface or none.
     /// Expects: (x, y) lies in the window; |to_x|, |to_y| <= 1.
     bool hides(std::int32_t x, std::int32_t y, float inv_w, std::int32_t to_x,
                std::int32_t to_y) const {

@@ -55,8 +55,8 @@ bool marked_pixels::reopen() {
     return !reached.empty();
 }
 
-/// Gathers the bits of marked pixels in a row of tiles, tile by tile. A word of a row of pixels
-/// holds one row of eight tiles.
+/// Gathers the bits of marked pixels in a row of tiles, tile by tile. A word of a row of pixels has
+/// the bits of eight neighbouring tiles in this row.
 void marked_pixels::gather_bits(const l3d_pixel_bits& marks, std::int32_t top) {
     constexpr std::size_t in_word = l3d_pixel_bits::word_pixels / side;
     constexpr std::uint64_t row_bits = (1u << side) - 1;

@@ -14,8 +14,8 @@
 
 namespace l3d_detail {
 
-/// A pixel that is sampled for anti-aliasing, and the facts about the polygons that were added to
-/// it.
+/// A pixel that is sampled for anti-aliasing, and what is known about the polygons that were added
+/// to the pixel.
 struct marked_pixel {
     std::int32_t x, y;
     std::uint32_t last; ///< index of the fragment that was added to the pixel last
@@ -25,7 +25,7 @@ struct marked_pixel {
     /// this depth nearer.
     float farthest;
     float least;           ///< the least inv_w of the polygons that were added to the pixel
-    std::uint64_t covered; ///< the samples that these polygons cover, as bits
+    std::uint64_t covered; ///< a bit for each sample: whether an added polygon covers it
 };
 
 /// The marked pixels of a band, sorted by tiles. So the marked pixels that a polygon may reach are
@@ -33,7 +33,8 @@ struct marked_pixel {
 ///
 /// Shape: rows of tiles of 8 x 8 pixels. A tile has a bit for each pixel: bit 8 row + column.
 ///        Pixels are listed tile by tile, and in each tile in the order of bits.
-/// Lives: one for each worker, kept for its memory.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory.
 class marked_pixels {
 public:
     static constexpr std::int32_t side = 8;
@@ -43,8 +44,8 @@ public:
         std::uint32_t first = 0; ///< the index of the tile's first marked pixel in pixels()
     };
 
-    /// Starts a band. If its first rows of tiles have at least `most` marked pixels, only these
-    /// rows are taken.
+    /// Starts a band. It takes rows of tiles from the band's top on, until the number of marked
+    /// pixels reaches `most`.
     /// Expects: the band begins at a tile.
     void begin(const l3d_pixel_bits& marks, const drawn_depth& depth, const l3d_pixel_box& band,
                std::size_t most);
@@ -89,7 +90,7 @@ public:
         const tile& here() const { return row_[next_ - 1]; }
         std::int32_t left() const { return static_cast<std::int32_t>(next_ - 1) * side; }
         std::int32_t top() const { return top_; }
-        /// The tile's open pixels in the box.
+        /// The open pixels of the present tile that are in the box, as bits.
         std::uint64_t bits() const { return bits_; }
 
     private:
@@ -120,7 +121,8 @@ public:
                       static_cast<std::size_t>(x)];
     }
 
-    /// The box of the pixels that still take fragments.
+    /// A box around the pixels that still take fragments: the rows that begin() took, or after
+    /// reopen() a smaller box.
     const l3d_pixel_box& band() const { return band_; }
     std::vector<marked_pixel>& pixels() { return pixels_; }
     const std::vector<marked_pixel>& pixels() const { return pixels_; }

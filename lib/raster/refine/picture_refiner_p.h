@@ -17,8 +17,8 @@
 
 namespace l3d_detail {
 
-/// The data of a frame that refining needs: all items of the frame, and the picture drawn from
-/// these.
+/// The data of a frame that refining needs: all items of the frame, and the picture drawn from the
+/// items.
 struct drawn_frame {
     const l3d_pixels& target;
     l3d_depth_buffer& depth; ///< the depths of the whole picture
@@ -28,18 +28,18 @@ struct drawn_frame {
     std::span<const std::uint32_t> colors;
     const band_list& list;
     const coarse_depth& coarse;
-    l3d_pixel_box window; ///< the drawn part of the target
+    l3d_pixel_box window; ///< the part of the picture that the frame draws
     int rows = 0;         ///< the number of rows in a band
 };
 
 /// Finds the pixels at edges, and draws them again with anti-aliasing. A pixel is at an edge if a
-/// visible contour passes through it, or if its level jumps to a neighbour's. Each pixel at an edge
-/// then shows the mean light of its 64 samples.
+/// visible contour passes through it, or if the level jumps from it to a neighbour. Each pixel at
+/// an edge then shows the mean light of its 64 samples.
 ///
 /// The pixels of a band depend on the items of the frame, and on the unrefined levels and depths
 /// around the pixels. So refined pixels depend neither on the division into bands nor on the number
 /// of workers.
-/// Lives: kept for its memory.
+/// Lives: keep the object from frame to frame, since it keeps its memory.
 class picture_refiner {
 public:
     /// Refines the picture of a frame, and returns the number of refined pixels.
@@ -66,8 +66,8 @@ private:
 };
 
 /// Writes the pixel words of a band's marked pixels. A word is the mean light of the polygons'
-/// visible parts, each part taken in its middle and weighted by its number of samples. `has_color`
-/// tells whether polygons have the colours of materials.
+/// visible parts. The light of a part is that in its middle, weighted by the part's number of
+/// samples. `has_color` tells whether polygons have the colours of materials.
 void light_pixels(const band_fragments& band, const l3d_shading& shading,
                   std::span<const l3d_material> materials, bool has_color,
                   const l3d_pixels& target);

@@ -48,10 +48,10 @@ struct light_sum {
 /// The levels of a polygon in mode l3d_shade::levels. They form a plane through its corners'
 /// levels, raised by the mean height of the curved surface of levels above this plane.
 ///
-/// If the level in a side's middle is up by h, the side raises the level by 4 h times the product
-/// of two barycentric coordinates. This product has the mean 1/12 over a triangle, so the mean
-/// height is h / 3. Over a quad, the mean height is two thirds of the mean h of opposite sides, so
-/// h / 3 for each side, too.
+/// Let h be the bend of a side of a triangle. The side raises the level by 4 h times the product of
+/// two barycentric coordinates. This product has the mean 1/12 over a triangle, so the mean height
+/// is h / 3. Over a quad, the mean height is two thirds of the mean h of opposite sides, so h / 3
+/// for each side, too.
 class level_surface {
 public:
     explicit level_surface(const fragment_polygon& of)
@@ -184,7 +184,7 @@ private:
     std::span<const fragment_polygon> polygons_;
     /// Set if polygons have names (face_painter) in place of colours.
     std::optional<face_painter> painter_;
-    /// One for each polygon, if the shader takes levels and bends.
+    /// A surface of levels for each polygon, if the shader takes levels and bends.
     std::vector<level_surface> levels_;
 };
 

@@ -18,7 +18,7 @@
 #define L3D_RASTER_PIXEL_SAMPLES_ONCE
 namespace l3d_detail {
 
-/// A fragment that no other fragment has hidden wholly so far, and the plane of its depth relative
+/// A fragment that the fragments before it have not hidden wholly. Its plane of depth is relative
 /// to the pixel's middle.
 struct seen_so_far {
     std::uint64_t samples;
@@ -103,8 +103,8 @@ public:
     }
 
 private:
-    /// Floats of this size have no fraction, so adding this number to a smaller one rounds the sum
-    /// to a whole number.
+    /// Floats of this size have no fraction, so adding this number to a smaller one rounds the
+    /// smaller number to a whole number.
     static constexpr float whole = 1 << 23;
     static constexpr float last_step = half_planes::steps + 1;
 
@@ -225,8 +225,8 @@ HWY_ATTR HWY_INLINE seen_fragment measured(const seen_so_far& of, const marked_p
             y + (static_cast<float>(sum_y) * part + 0.5f * cell)};
 }
 
-/// Gives the samples that a fragment `here` shares with those in `seen` to the nearer fragment.
-/// Returns how many fragments of `seen` still have samples.
+/// If the fragment `here` shares samples with fragments in `seen`, gives each shared sample to the
+/// nearer fragment alone. Returns how many fragments of `seen` still have samples.
 HWY_ATTR HWY_INLINE std::size_t divide(seen_so_far* seen, std::size_t count, seen_so_far& here,
                                        const half_planes& planes) {
     bool any_gone = false;

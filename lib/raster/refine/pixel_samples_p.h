@@ -29,7 +29,7 @@ struct fragment_polygon {
     float light[3][4]; ///< the three numbers of l3d_micro_vertex::normal at each corner
     std::int32_t corners;
     /// The colour of the polygon's material, or in mode `error` the colour of its part. In frames
-    /// that are lit or that see exact patches, it is the material's index instead.
+    /// that are lit or that see exact patches, this member is the material's index instead.
     std::uint32_t color;
     /// Twice the polygon's area, positive if its corners turn to the right; not 0.
     std::int64_t area2;
@@ -111,7 +111,8 @@ std::size_t cover_samples(const fragment_polygon& of, std::uint32_t name, const 
                           marked_pixels& pixels, fragment* to, std::uint32_t first);
 
 /// The boxes of pixels around consecutive quads in a row of a grid. find() finds the boxes of
-/// `count` quads, clipped to `inside`. It writes up to 15 more elements, which mean nothing.
+/// `count` quads, clipped to `inside`. find() also writes up to 15 elements without meaning after
+/// these.
 /// Expects: room for all of these elements.
 struct quad_boxes {
     std::vector<std::int32_t> left, top, right, bottom;
@@ -123,16 +124,18 @@ struct quad_boxes {
 /// The fragments that are seen in a few pixels, in the order in which they were added. No two
 /// fragments of a pixel share a sample.
 struct seen_in_pixels {
-    static constexpr std::size_t most = 4; ///< the largest number of pixels
+    /// The largest number of pixels that see_samples() takes at once.
+    static constexpr std::size_t most = 4;
 
     std::array<seen_fragment, most * sample_places::count> fragments;
-    /// Index of each pixel's first fragment, and the end of the last pixel's.
+    /// For each pixel, the index of its first fragment; then the index behind the last pixel's
+    /// fragments.
     std::array<std::size_t, most + 1> begins;
 };
 
-/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels. The
-/// polygon whose plane of depth is the nearest there is seen; among equals, the polygon that was
-/// added first.
+/// Finds the polygon that is seen at each sample of at most seen_in_pixels::most pixels. At a
+/// sample, the polygon whose plane of depth is the nearest is seen; among equally near polygons,
+/// the one that was added first is seen.
 void see_samples(std::span<const fragment_polygon> polygons, std::span<const fragment> fragments,
                  std::span<const marked_pixel> pixels, seen_in_pixels& to);
 

@@ -20,8 +20,8 @@
 namespace l3d_detail {
 
 /// Finds the colour of a painted triangle in each pixel, or the colour of a material. Triangles and
-/// materials are named by numbers ("names"), as in l3d_face_paints. It keeps the planes of the last
-/// triangle, which neighbouring pixels mostly share.
+/// materials are named by numbers ("names"), as in l3d_face_paints. The painter keeps the planes of
+/// the last triangle, as neighbouring pixels mostly show the same triangle.
 /// Lives: borrows paints and materials; each painter belongs to one worker.
 class face_painter {
 public:
@@ -47,7 +47,7 @@ public:
     void paint(const named_pixels& pixels);
     const std::uint32_t* words() const { return batch_.words(); }
 
-    /// The index of a name's material.
+    /// The index, in the frame's list, of the material that a name has.
     std::uint32_t material(std::uint32_t name) {
         if (batch_.has(name))
             return batch_.material(name);

@@ -11,7 +11,8 @@
 namespace l3d_detail {
 
 /// Puts fog before the pixels whose depth is not 0.
-/// Units: `top` is the first row's place in a picture of this height.
+/// Units: `top` is the row of the picture that the first row of `pixels` is in; `height` is the
+///        height of the picture.
 /// Expects: final colours; fog that is on.
 inline void put_fog(const l3d_shading& shading, const material_pixels& pixels, std::int32_t top,
                     std::int32_t height) {

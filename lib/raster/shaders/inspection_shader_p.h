@@ -30,7 +30,7 @@ patch_parameters seen_parameters(const l3d_inspected_patches& frame,
                                  const l3d_bezier_patch<double, 3>& net, double x, double y,
                                  double u, double v);
 
-/// The common part of shaders that evaluate exact patches. From the vertices, such shaders take
+/// The common part of shaders that evaluate exact patches. From the vertices, these shaders take
 /// only a guess of a pixel's parameters.
 class patch_shader {
 public:
@@ -75,7 +75,7 @@ protected:
     std::int64_t unsolved_ = 0;
 
 private:
-    /// Bounds of the parameters at the polygon's corners.
+    /// The least and the largest parameters at the polygon's corners.
     std::array<float, components> least_{}, most_{};
 };
 
@@ -90,8 +90,8 @@ public:
 
     /// The pixel word for a part of a pixel around a place. Stripes are means over whole pixels
     /// already. So the word is that of the pixel's middle, the same for all parts of a patch in the
-    /// pixel. At outlines, the ray through the pixel's middle may miss the patch; then the word is
-    /// that of the place.
+    /// pixel. At outlines, the ray through the pixel's middle may miss the patch; then the word of
+    /// the place itself is taken.
     std::uint32_t word_around(const float* guess, double x, double y);
 
 private:

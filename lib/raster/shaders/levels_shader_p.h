@@ -16,8 +16,8 @@ namespace l3d_detail {
 
 /// Grey from a polygon's levels and bends, interpolated by the polygon's own parameters.
 ///
-/// In a quad of any shape, a pixel's parameters (s, t) are those of the bilinear map of its
-/// corners. Only the change of w over the quad is neglected; error() bounds the effect. In a
+/// The bilinear map of a quad's corners gives each pixel its parameters (s, t), whatever the quad's
+/// shape. Only the change of w over the quad is neglected; error() bounds the effect. In a
 /// triangle, the level is the parabola through its corners and the middles of its sides.
 class levels_shader {
 public:
@@ -53,10 +53,11 @@ public:
     }
 
     /// A bound for the error of levels, which comes from neglecting the change of w over the
-    /// polygon. A level is a mean of the corners' numbers, with weights that add up to 1. The true
-    /// weights are these times the corners' w, scaled to add up to 1. True and used weights differ
-    /// by (ratio - 1) / 4 at most, where ratio is the largest w divided by the least. So the error
-    /// is at most (ratio - 1) / 4 times the range of the numbers.
+    /// polygon. A level is a mean of the corners' numbers, with weights that add up to 1. This
+    /// class uses weights that neglect w. The true weights are the used weights times the corners'
+    /// w, scaled to add up to 1. True and used weights differ by (ratio - 1) / 4 at most, where
+    /// ratio is the largest w divided by the least. So the error is at most (ratio - 1) / 4 times
+    /// the range of the numbers.
     float error() const { return error_; }
 
 private:

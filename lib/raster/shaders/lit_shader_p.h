@@ -154,7 +154,7 @@ private:
     /// A unit normal of a surface, and the ray from the eye to the normal's place.
     struct seen_normal {
         vector3 normal, look;
-        float distance, against; ///< the ray's length, and its product with the normal
+        float distance, against; ///< the ray's length, and the product of ray and normal
 
         seen_normal(const vector3& n, const vector3& e)
             : normal(n), look(e), distance(length(e)), against(dot(e, n.data())) {}
@@ -201,8 +201,8 @@ private:
     }
 
     /// Adds a light from direction l. A highlight needs the direction half-way between l and the
-    /// eye. With the ray e from the eye, this is the direction of h = l |e| - e. Then h.h = 2 |e|
-    /// (|e| - l.e), and n.h = |e| n.l - n.e for the normal n.
+    /// eye. With the ray e from the eye, the half-way direction is that of h = l |e| - e. Then h.h
+    /// = 2 |e| (|e| - l.e), and n.h = |e| n.l - n.e for the normal n.
     void add_light(const seen_light& light, const seen_normal& seen, l3d_light_color& scattered,
                    l3d_light_color& mirrored) const {
         const float lit = dot(light.direction, seen.normal.data());

@@ -28,7 +28,7 @@ HWY_INLINE float_vec set(float value) {
     return hn::Set(floats(), value);
 }
 
-/// A vector in space for each pixel.
+/// A vector in space for each pixel, one pixel in each lane.
 struct lane_vector {
     float_vec x, y, z;
 
@@ -222,14 +222,15 @@ struct pixel_row {
     std::uint32_t* words;
     const float* depths;
     const std::uint32_t* normals;
-    /// The pixels' colours; null if materials tell them (lit_pixels::colors).
+    /// The pixels' colours; null if materials tell the colours (lit_pixels::colors).
     const std::uint32_t* colors;
     /// The shading's `look`, or `aside` with parallel rays, in column 0 of the row.
     lane_vector own;
     lane_vector own_right; ///< the change of `own` from a column to the next
 };
 
-/// The words of lit pixels, found for one material at a time. Most vectors have only one material.
+/// The pixel words of a vector of lit pixels. They are found for one material at a time. Most
+/// vectors have only one material.
 template <std::size_t Channels>
 HWY_INLINE word_vec by_materials(const lane_light<Channels>& light, const lit_material* materials,
                                  const word_vec* colors, word_vec there, float_mask filled) {

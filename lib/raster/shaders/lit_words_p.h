@@ -20,16 +20,17 @@ struct lit_pixels {
     std::ptrdiff_t word_pitch;
     const float* depths;
     const std::uint32_t* normals;
-    /// The distance between rows of depths, and between rows of normals.
+    /// The distance between rows in `depths` and in `normals`.
     std::ptrdiff_t depth_pitch;
     std::int32_t left, top; ///< column and row of the rectangle's first pixel in the picture
     std::int32_t width, height;
-    /// The colours of the pixels of a rectangle with a single row, if materials do not tell these
-    /// colours; else null.
+    /// A colour for each pixel, in place of the materials' colours; null: the materials' colours
+    /// are used. Expects: null, or a rectangle with a single row.
     const std::uint32_t* colors = nullptr;
 };
 
-/// Lights the pixels of a frame whose normals were kept in words. Lives: kept for its memory.
+/// Lights the pixels of a frame whose normals were kept in words. Lives: keep the object from frame
+/// to frame, since it keeps its memory.
 class lit_words {
 public:
     /// Sets the shading and the materials of a frame.
@@ -46,7 +47,7 @@ public:
     }
 
     /// Lights all pixels with a depth other than 0; other pixels are empty. The results have the
-    /// same bits as those of lit_shader for the normals that the words hold. A pixel costs some 20
+    /// same bits as lit_shader's results for the normals that the words hold. A pixel costs some 20
     /// operations for each light and 80 more, in lanes.
     void color(const lit_pixels& pixels) const;
 

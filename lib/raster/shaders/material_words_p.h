@@ -27,7 +27,7 @@ inline std::uint32_t color_of_level(std::uint32_t color, std::uint32_t level) {
 }
 
 /// Replaces the levels of a frame's materials by colours, after all polygons are filled. Lives:
-/// kept for its memory.
+/// keep the object from frame to frame, since it keeps its memory.
 class material_words {
 public:
     void begin(std::span<const l3d_material> materials) {

@@ -17,7 +17,7 @@ class own_shader : public patch_shader {
 public:
     explicit own_shader(const l3d_shading& shading) : patch_shader(shading) {}
 
-    /// Takes a pixel of the run, whose word end_run() writes.
+    /// Adds a pixel to the run. Later, end_run() writes the pixel's colour to `word`.
     /// Units: pixels from the picture's top left corner.
     void note(const float* guess, double x, double y, std::uint32_t& word) {
         places_.push_back(seen(guess, x, y));

@@ -14,7 +14,7 @@
 
 namespace l3d_detail {
 
-/// Gathers runs of pixels of painted parts, and colours them some at a time in lanes.
+/// Gathers runs of pixels of painted parts, and colours many of the pixels at a time, in lanes.
 ///
 /// Cost:  keeps the quads that it set up last, as pixels in the next rows mostly need these again.
 /// Lives: borrows parts and materials; each batch belongs to one worker.
@@ -27,11 +27,11 @@ public:
     /// Whether a number of material ("name") belongs to a part of a patch.
     bool has(std::uint32_t name) const { return parts_ && parts_->has(name); }
 
-    /// The index of a name's material among those of the frame. Expects: has(name).
+    /// The index of a name's material among the frame's materials. Expects: has(name).
     std::uint32_t material(std::uint32_t name) { return part_of(name).material; }
 
-    /// Takes the pixels from `begin` on that show one part or nothing. Returns the index behind the
-    /// last pixel taken.
+    /// Takes pixels from `begin` on, as long as they show the first pixel's part or nothing.
+    /// Returns the index behind the last pixel taken.
     /// Expects: has() is true for the first pixel's name.
     std::size_t add_part(const named_pixels& from, std::size_t begin);
 
@@ -47,8 +47,8 @@ public:
                   pixels_.words.begin() + static_cast<std::ptrdiff_t>(range.end), color);
     }
 
-    /// Colours the pixels that were taken and still wait for more. Then words() has the colours of
-    /// all pixels taken.
+    /// Colours the pixels that still wait to be coloured together. Afterwards, words() has the
+    /// colours of all pixels that were taken.
     void finish();
     const std::uint32_t* words() const { return pixels_.words.data(); }
 
@@ -58,7 +58,7 @@ private:
     const painted_parts* parts_;
     l3d_texture_filter filter_;
     std::span<const l3d_material> materials_;
-    const painted_part* part_ = nullptr;   ///< the part that was asked for last
+    const painted_part* part_ = nullptr;   ///< the part whose name was asked for last
     const l3d_texture* texture_ = nullptr; ///< the texture of the pixels that wait
     pixel_range waiting_;
     painted_pixels pixels_{};

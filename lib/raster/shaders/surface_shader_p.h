@@ -123,9 +123,9 @@ public:
     }
     void corner(const l3d_micro_vertex& vertex, float* out) const { *out = grey(vertex); }
 
-    /// The pixel word of an interpolated intensity. If four corners are not in one plane, their
-    /// plane exceeds the corners' intensities near a corner. So the intensity is clamped to the
-    /// corners' range.
+    /// The pixel word of an interpolated intensity. If the intensities at four corners do not lie
+    /// in one plane, the plane that stands for them exceeds the corners' intensities near a corner.
+    /// So the intensity is clamped to the corners' range.
     std::uint32_t word(const float* value) const {
         const float least = *value > darkest_ ? *value : darkest_;
         return grey_word(least < brightest_ ? least : brightest_);

@@ -9,7 +9,7 @@
 namespace l3d_detail {
 
 /// Blends a word's three lower bytes with a colour's: each byte moves by coverage / 255 of its
-/// difference, rounded to the nearest.
+/// difference from the colour's byte, rounded to the nearest.
 ///
 /// Red and blue share one number, 16 bits each, as sums stay below 2^16. A division t / 255 is (t +
 /// 1 + t / 256) / 256, where each quotient is rounded down.

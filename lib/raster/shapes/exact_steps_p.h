@@ -9,7 +9,8 @@
 
 namespace l3d_detail {
 
-/// An integer for products of two differences of coordinates, each up to 2^39 units of 1/256 pixel.
+/// An integer that holds the product of two differences of coordinates. Each difference is up to
+/// 2^39 units of 1/256 pixel.
 __extension__ typedef __int128 wide_integer;
 
 /// The quotient n / d, rounded down. Expects: d > 0.

@@ -18,7 +18,8 @@
 
 namespace l3d_detail {
 
-/// Adds the cuts of a piece to `out`, each with the planes of both its triangles.
+/// Adds the cuts of a piece to `out`. Each cut gets the plane of the cut triangle and the plane of
+/// the triangle that cuts.
 inline void add_cuts(const l3d_painter_piece& piece,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_cut> cuts, std::vector<plane_cut>& out) {

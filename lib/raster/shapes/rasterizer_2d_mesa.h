@@ -19,7 +19,7 @@
 /// Pixel words are the same, too, except where GL computes colours: in Gouraud-shaded polygons,
 /// smooth lines and coverage. In these, red, green and blue may differ by 1. The CPU draws shapes
 /// that GL cannot draw exactly. These include polygons that reach further than 8191 pixels from the
-/// middle of the picture, and pictures larger than GL's largest.
+/// middle of the picture, and all shapes in pictures larger than GL's largest.
 /// Cost:    drawing only gathers triangles. The target's picture is copied to GL before the first
 ///          batch after finish, set_target, or a shape that the CPU draws. The picture is copied
 ///          back in finish.
@@ -51,8 +51,8 @@ private:
         /// The vertex's red, green and blue, and the word's highest byte or the coverage.
         std::array<std::uint8_t, 4> color;
     };
-    /// The state of the picture in GL, compared with the target's: GL has no picture, a black one,
-    /// or a newer one.
+    /// The state of the picture in GL, compared with the target's: GL has no picture, a black
+    /// picture, or a newer picture than the target's.
     enum class held { not_at_all, as_black, newer_than_target };
     /// The meaning of the highest byte of colours in the batch: the word's own byte, or coverage.
     enum class blending { off, by_coverage };

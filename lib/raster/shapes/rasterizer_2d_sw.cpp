@@ -155,7 +155,8 @@ void l3d_rasterizer_2d_sw_imp::do_draw_path(const l3d_path& path, const l3d_fill
         s.visit_runs(paint);
 }
 
-/// Draws an image. Where it covers pixels wholly, an opaque image that is only moved is copied.
+/// Draws an image. An opaque image that is only moved by whole pixels is copied where it covers
+/// pixels wholly.
 void l3d_rasterizer_2d_sw_imp::do_draw_image(const l3d_placed_image& image, const l3d_fill& fill) {
     const color_mixer mixer(fill.blending);
     image_sampler sampler(image, mixer);

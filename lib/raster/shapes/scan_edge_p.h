@@ -19,7 +19,8 @@ struct scan_point {
 
 inline constexpr std::int32_t scan_limit = 1 << 23;
 
-/// A corner that may be further away. Units: 1/256 pixel, |x|, |y| <= far_limit: 2^30 pixels.
+/// A corner of a polygon near the picture or far from it. Units: 1/256 pixel, |x|, |y| <=
+/// far_limit: 2^30 pixels.
 struct far_point {
     std::int64_t x = 0, y = 0;
 };

@@ -25,8 +25,8 @@ using scan_ends = std::array<std::int32_t, 2>;
 /// Converts convex polygons to spans. A pixel belongs to a polygon if its centre is inside, or on a
 /// left or top edge.
 ///
-/// A row is covered if its centre lies in [highest, lowest corner). A pixel of the row is covered
-/// if its centre lies in [left, right edge). Both ends of the row's span are exact.
+/// A row is covered if its centre lies in [highest corner, lowest corner). A pixel of the row is
+/// covered if its centre lies in [left edge, right edge). Both ends of the row's span are exact.
 /// Lives: the spans of one polygon stay until the next convert.
 class scan_polygon {
 public:
@@ -58,12 +58,12 @@ public:
         return rows;
     }
 
-    /// The first column of a row's span; last() is the column after the span's last. Both are not
-    /// clipped; first may be >= last.
+    /// The first column of a row's span; last() is the column after the span's last. Neither is
+    /// clipped, and first may be >= last.
     std::int32_t first(std::int32_t row) const { return span_of(row)[left]; }
     std::int32_t last(std::int32_t row) const { return span_of(row)[right]; }
 
-    /// The spans of some of the rows that convert returned.
+    /// The spans of `rows`. Expects: rows that convert() returned.
     std::span<const scan_ends> ends(scan_rows rows) const {
         return {&span_of(rows.top), static_cast<std::size_t>(rows.bottom - rows.top)};
     }

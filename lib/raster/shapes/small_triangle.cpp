@@ -43,7 +43,8 @@ struct bounds {
     HWY_INLINE bool small_within(double end) const {
         return low >= 0 && high <= end && high - low <= small_side;
     }
-    /// The first pixels whose samples are not before the low end, and not before the high end.
+    /// first() is the first pixel whose sample is not before the low end. last() is the same for
+    /// the high end.
     HWY_INLINE std::int32_t first() const { return first_sample(low); }
     HWY_INLINE std::int32_t last() const { return first_sample(high); }
 

@@ -13,8 +13,8 @@
 namespace l3d_detail {
 
 /// The limit of the width and the height of triangles that fill_small_triangle takes, in pixels. In
-/// lattice units it is 2^13. Products of two differences, and sums of such products, stay below
-/// 2^28.
+/// lattice units the limit is 2^13. Products of two differences, and sums of such products, stay
+/// below 2^28.
 inline constexpr int small_side = 32;
 
 /// Fills a small triangle by its three edge functions, at all pixels of its box, which costs less

@@ -110,7 +110,8 @@ HWY_INLINE bool cover_vector(D d, std::uint32_t* at, std::uint32_t color, const 
     return true;
 }
 
-/// Blends words from i on one by one, as one of these words may be transparent.
+/// Blends the words from index i on, one by one. It serves vectors in which a word may be
+/// transparent.
 template <class Shares>
 HWY_NOINLINE void cover_each(std::uint32_t* at, std::size_t count, std::uint32_t color,
                              const Shares& shares, std::size_t i) {

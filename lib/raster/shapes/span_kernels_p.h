@@ -25,8 +25,8 @@ void fill_rows(const l3d_pixels& target, std::int32_t top, std::span<const scan_
 void fill_spans(const l3d_pixels& target, std::span<const pixel_span> spans, std::uint32_t color);
 
 /// Moves the words of spans towards a colour, by the rule of l3d_rasterizer_2d::draw_coverage.
-/// Expects: spans are in the picture. After the last value, as many more may be read as a vector of
-///          words has lanes.
+/// Expects: spans are in the picture. After the last value, as many more values may be read as a
+///          vector of words has lanes.
 void cover_spans(const l3d_pixels& target, std::span<const covered_span> spans,
                  const std::uint8_t* values, std::uint32_t color);
 

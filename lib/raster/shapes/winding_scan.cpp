@@ -52,7 +52,7 @@ void winding_scan::add_edge(far_point from, far_point to, std::int32_t height) {
         edges_.push_back({top, bottom, down ? -1 : 1, exact_edge(upper, lower, top)});
 }
 
-/// Sorts crossings by insertion, since few of them change places from one row to the next.
+/// Sorts crossings by insertion, since few crossings change places from one row to the next.
 void winding_scan::sort_crossings() {
     for (auto place = crossings_.begin(); place != crossings_.end(); ++place) {
         const crossing moving = *place;

@@ -11,11 +11,11 @@
 namespace l3d_detail {
 
 /// The product of a normal with the ray from the eye. It is positive if the normal points away from
-/// the eye. Such a normal must be turned to the eye.
+/// the eye. Then the normal must be turned to the eye.
 ///
-/// The number is interpolated like the normal itself. The polygon's orientation in the picture
-/// would not do instead. This orientation is arbitrary where a surface bends away, and in the
-/// slivers that close slits.
+/// The product is interpolated like the normal itself. The polygon's orientation in the picture
+/// would not do in place of the product. This orientation is arbitrary where a surface bends away,
+/// and in the slivers that close slits.
 inline float away_from_eye(const l3d_micro_vertex& vertex, const l3d_shading& shading) {
     const float x = static_cast<float>(vertex.x) / l3d_subpixel_one;
     const float y = static_cast<float>(vertex.y) / l3d_subpixel_one;

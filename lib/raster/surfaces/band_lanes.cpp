@@ -27,8 +27,8 @@ HWY_INLINE lane_bounds nothing() {
     return {set(most), set(most), set(-most), set(-most), hn::Zero(floats())};
 }
 
-/// Extends bounds by `count` vertices from `begin` on, and masks the lanes of other vertices. If
-/// the vector would end after the last of `size` elements, it starts earlier.
+/// Extends bounds by `count` vertices from `begin` on, and masks the lanes of other vertices. If a
+/// vector from `begin` on would end after the last of `size` elements, the vector starts earlier.
 /// Expects: size >= 16.
 HWY_INLINE void take(lane_bounds& b, const std::int32_t* x, const std::int32_t* y,
                      const float* inv_w, std::size_t begin, std::size_t count, std::size_t size) {

@@ -37,11 +37,12 @@ unsigned bits_of(block_range rows, block_range columns) {
     return bits;
 }
 
-/// Calls visit(cells) for every item's part of a grid. A grid of fewer than 32 x 32 quads is one
-/// item, since blocks of its rows would leave lanes idle. In other grids, an item is a block, or up
-/// to 2 x 2 blocks while these have fewer than 128 quads. The fill kernel leaves out hidden quads
-/// one by one; testing items first only makes this cheaper. Blocks that nobody sees are left out,
-/// and their neighbours are then items of their own.
+/// Divides a grid among items, and calls visit(cells) with the quads of each item. A grid of fewer
+/// than 32 x 32 quads is one item, since blocks of its rows would leave lanes idle. In larger
+/// grids, an item is a block, or up to 2 x 2 blocks as long as these have fewer than 128 quads
+/// together. The fill kernel leaves out hidden quads one by one; testing items first only makes
+/// this cheaper. Blocks that nobody sees are left out, and their neighbours are then items of their
+/// own.
 template <class Visit> void visit_blocks(const l3d_surface_part& part, const Visit& visit) {
     constexpr int few = 128, few_in_all = 32 * 32;
     const l3d_block_starts &rows = part.block_rows, &columns = part.block_columns;
@@ -92,8 +93,8 @@ void band_list::make(std::span<const l3d_surface_part* const> parts, const frame
     share_out(of);
 }
 
-/// Gives every part its place among the items, so that threads can make the items in any order. A
-/// vertex in the middle of a grid stands for the part's height.
+/// Finds where each part's items, pixel rows and grey levels begin in the lists, so that threads
+/// can make the items in any order. A vertex in the middle of a grid stands for the part's height.
 void band_list::lay_out(std::span<const l3d_surface_part* const> parts, bool with_levels) {
     places_.clear();
     by_height_.clear();

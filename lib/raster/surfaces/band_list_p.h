@@ -27,9 +27,10 @@ struct band_item {
     grid_cells cells{};
     /// The range of the part's triangles that belong to the item.
     std::uint32_t triangle_begin = 0, triangle_end = 0;
-    /// Index of the first of its cells' pixel rows, in the list of all items' rows.
+    /// The index at which the item's pixel rows begin, in the list of all items' pixel rows.
     std::uint32_t rows_at = 0;
-    /// Index of the first of its part's vertices, in the list of grey levels.
+    /// The index at which the grey levels of its part's vertices begin, in the list of all grey
+    /// levels.
     std::uint32_t levels_at = 0;
 };
 
@@ -37,9 +38,9 @@ struct band_item {
 ///
 /// Items are sorted by their nearest vertices, rounded to one part in 2^8, then by their places in
 /// the list of parts. If pixels show what is at their centres, a part's triangles take their grid's
-/// place in this order. Such frames may leave out triangles that contain no centre. So an order of
-/// the triangles' own would depend on which ones are left out. So the order depends neither on the
-/// bands nor on the number of workers.
+/// place in this order. The reason is that these frames may leave out triangles that contain no
+/// centre, so a place of the triangles' own would depend on which triangles are left out. So the
+/// order depends neither on the bands nor on the number of workers.
 /// Lives: borrows the parts. Keeps its memory from frame to frame.
 class band_list {
 public:
@@ -51,7 +52,8 @@ public:
     struct frame {
         l3d_pixel_box window;
         int rows = 1; ///< number of rows in a band, at least 1
-        /// Whether polygons touch a pixel by its square, not by its centre only.
+        /// Whether polygons touch a pixel if they reach its square. If false, they must contain its
+        /// centre.
         bool squares = false;
 
         l3d_pixel_box pixels(const l3d_subpixel_box& box) const {

@@ -43,7 +43,7 @@ struct tile_pixels {
 };
 
 /// Calls visit(word, bits) for all words of a bit table's row that hold bits [begin, end), until a
-/// call returns false. Returns whether no call returned false.
+/// call returns false. Returns whether all calls returned true.
 template <class Visit> bool visit_bits(std::int32_t begin, std::int32_t end, const Visit& visit) {
     constexpr std::int32_t bits = 64;
     for (std::int32_t word = begin / bits; word * bits < end; ++word) {
@@ -82,7 +82,7 @@ std::int32_t lanes() {
     return static_cast<std::int32_t>(hn::Lanes(floats));
 }
 
-/// Sets the depths in the tiles `p` to 0.
+/// Sets the depths of the pixels `p` to 0.
 void clear(const tile_pixels& p, const fill_band& band) {
     float* to = band.depths + p.depths_at;
     if (p.width == depth_tile::width) // the usual case, for which no memset is called
@@ -110,8 +110,8 @@ void open(tile_table& table, const l3d_pixel_box& box, const fill_band& band) {
     }
 }
 
-/// Calls visit(pixels) for every run of tiles side by side that have been drawn to. If `drawn` is
-/// false, it takes the tiles that have not.
+/// Calls visit(pixels) for every run of neighbouring tiles in a row into which something was drawn,
+/// or, if `drawn` is false, into which nothing was drawn.
 template <class Visit>
 void visit_runs(const tile_table& table, const fill_band& band, bool drawn, const Visit& visit) {
     const l3d_pixel_box tiles = tiles_of(band);

@@ -19,7 +19,7 @@ struct depth_tile {
     static constexpr std::int32_t width = 16, height = 8;
 };
 
-/// A table of the depths of a picture's tiles, and of which tiles were drawn into.
+/// For each tile of a picture, a bound of its depths, and whether anything was drawn into it.
 /// Shape: rows of `columns` numbers, and rows of `words` with a bit for each tile.
 struct tile_table {
     std::size_t columns = 0, words = 0;
@@ -55,7 +55,8 @@ public:
     /// was drawn yet.
     void open(const l3d_pixel_box& box, const fill_band& band);
 
-    /// Prepares all depths of a band for reading: sets the depths of tiles without drawing to 0.
+    /// Prepares all depths of a band for reading: sets the depths of tiles into which nothing was
+    /// drawn to 0.
     void open_others(const fill_band& band);
 
     /// Whether known depths hide every shape in the box that is no nearer than `nearest`, a 1 / w.
@@ -70,7 +71,8 @@ public:
     /// Finds the farthest depth of each tile of the band into which something was drawn.
     void refresh(const fill_band& band);
 
-    /// Whether something may have been drawn into the pixel's tile. If not, its depth is undefined.
+    /// Whether something may have been drawn into the pixel's tile. If not, the pixel's depth is
+    /// undefined.
     bool drawn_at(std::int32_t x, std::int32_t y) const {
         const auto column = static_cast<std::size_t>(x / depth_tile::width);
         const auto row = static_cast<std::size_t>(y / depth_tile::height);

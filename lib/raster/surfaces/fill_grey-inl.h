@@ -27,13 +27,13 @@ public:
             grey_[i] = load_float(queue.corner[i][3] + at);
     }
 
-    /// Tells which polygons the lanes do not take: only those that are unfit already, as any greys
-    /// at corners will do.
+    /// Returns the polygons that the lanes do not take. They are `unfit`, the polygons that are
+    /// unfit already, as lanes can interpolate any greys.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 
-    /// Sets up planes of grey. If four corners are not in one plane, the plane may exceed their
-    /// greys near a corner, so greys are clamped to the corners' range.
+    /// Sets up planes of grey. If the greys of four corners do not lie in one plane, the plane that
+    /// is used may exceed them near a corner. So greys are clamped to the corners' range.
     HWY_INLINE void set_up(const l3d_shading&, const lane_places& at, fill_table& table,
                            fill_counts&) {
         const floats d;

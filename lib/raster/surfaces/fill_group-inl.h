@@ -15,15 +15,15 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The limit of the product of the lengths of a polygon's diagonals, relative to their cross
-/// product, which is twice the area. Beyond this limit, the polygon is a sliver.
+/// A polygon is a sliver if the product of its diagonals' lengths is more than this many times
+/// their cross product, which is twice the area.
 constexpr float sliver_ratio = 64;
 
 /// Fills a vector of polygons, one in each lane. set_up() turns their corners into rows of a table;
 /// fill() writes the pixels of these rows.
 ///
 /// Shape: Light is the class that computes the polygons' greys or normals, such as lambert_lanes,
-///        grey_lanes, level_lanes or normal_lanes do.
+///        grey_lanes, level_lanes or normal_lanes.
 template <class Light> class fill_group {
 public:
     /// Sets up a vector of polygons. Returns whether there is anything to fill.
@@ -241,7 +241,7 @@ private:
     int_vec from_column_, to_column_, from_row_, to_row_;
     int_mask live_, large_;
     int_mask at_edge_; ///< polygons in which a row may begin where a run does not fit the picture
-    /// At corners a, b and d, the cross product of the two sides that meet there.
+    /// For corners a, b and d, the cross product of the two sides that meet at the corner.
     int_vec turn_a_, turn_b_, turn_d_;
     int_vec along1_x_, along1_y_, along2_x_, along2_y_, area2_, skew_;
     lane_places places_;

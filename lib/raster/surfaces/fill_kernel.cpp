@@ -46,8 +46,8 @@ struct lane_lists {
 constexpr lane_lists lists_of_lanes;
 
 /// Indices of lanes that bring the lanes of a mask to a vector's front, in their order. Several
-/// vectors use the same indices. This costs less than compressing each vector, above all where the
-/// instruction set has no compression.
+/// vectors use the same indices. Using the indices costs less than compressing each vector, above
+/// all where the instruction set cannot compress.
 template <class D> HWY_INLINE hn::Vec<D> lanes_kept(D d, hn::Mask<D> mask) {
     constexpr std::size_t listed = 8;
     if constexpr (hn::MaxLanes(D()) > listed) {
@@ -173,7 +173,8 @@ private:
             fill_enough();
     }
 
-    /// Queues the materials of those of the row's polygons from `i` on whose lanes are live.
+    /// Queues the materials of the row's polygons from `i` on. It takes the polygons whose lanes
+    /// are set in `live`.
     template <class D>
     HWY_NOINLINE void put_materials(D d, const row& from, std::size_t i, hn::Mask<D> live) {
         std::uint32_t* const to = queue_.material + queue_.count;
@@ -205,8 +206,8 @@ private:
         queue_.material[to] = triangle.material;
     }
 
-    /// Fills the first `enough` polygons of the queue, and moves all others to the queue's front.
-    /// These others are fewer than the lanes of the widest vector.
+    /// Fills the first `enough` polygons of the queue, and moves the remaining polygons to the
+    /// queue's front. There are fewer remaining polygons than lanes in the widest vector.
     HWY_NOINLINE void fill_enough() {
         static_assert(fill_queue::enough % lanes == 0);
         find_seen(fill_queue::enough);

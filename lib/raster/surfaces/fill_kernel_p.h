@@ -45,14 +45,15 @@ struct fill_counts {
     std::int64_t samples = 0; ///< pixel centres tested against the depth buffer
     std::int64_t written = 0; ///< samples that were nearer than the depth of their pixels
 
-    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. Each counts
-    /// once in every band.
+    /// Polygons whose light is computed as a plane, not by a unit normal in each pixel. A polygon
+    /// counts once in every band in which it is filled.
     std::int64_t by_plane = 0;
 
-    /// Mode `levels`: the error of levels, as in l3d_surface_counts.
+    /// In mode `levels`, the largest error of levels, as in l3d_surface_counts.
     float level_error = 0;
     std::int64_t unproven_levels = 0;
-    float normal_error = 0; ///< lit frames: the error of normals, as in l3d_surface_counts
+    /// In lit frames, the largest error of normals, as in l3d_surface_counts.
+    float normal_error = 0;
 
     std::int64_t unsolved = 0; ///< tested pixels without an exact place, as in l3d_surface_counts
 
@@ -83,7 +84,8 @@ private:
 };
 
 /// Polygons that the lanes do not take: they are larger than 64 pixels or, for lambert, their
-/// normals differ too much. The caller fills them by the scalar filler after fill_finish.
+/// normals differ too much. After fill_finish, the caller fills these polygons by the scalar
+/// filler.
 struct fill_rest {
     struct quad {
         const l3d_micro_grid* grid;
@@ -109,7 +111,7 @@ struct fill_rest {
 ///
 /// Without materials, a word is a grey pixel. With materials, its lowest byte is the grey's level,
 /// and its upper bytes are the material's index. At the end of the frame, material_words replaces
-/// such words by colours.
+/// words with materials by colours.
 ///
 /// In lit frames the lanes write normals in normal_code, and lit_words lights each visible pixel
 /// once at the end. The upper half of a word is the z of a normal, the lower half the material.
@@ -125,7 +127,7 @@ struct fill_words {
         return has_materials ? material << 8 : 0;
     }
 
-    /// The difference between of_material() of a material and of the next material.
+    /// of_material(m + 1) - of_material(m), which is the same for every material m.
     std::uint32_t next_material() const { return of_material(1); }
 
     /// The word of level 1, without the material.
@@ -139,13 +141,14 @@ struct fill_piece {
     std::uint32_t material = 0; ///< as fill_words::of_material gives it
 };
 
-/// Polygons that wait until a vector of them can be set up together.
+/// Polygons that wait until there are enough to fill a vector's lanes.
 ///
 /// Shape: polygon i is in element i of each array, [corner][component]. Components are x, y, 1/w
-///        and the inputs of light. These are the vertex's three numbers for lambert and levels,
-///        otherwise the grey level. Floats are stored by their bits. A triangle has its last corner
-///        twice.
-/// Lives: one for each worker, kept for its memory. Empty between bands.
+///        and the inputs of light. In modes lambert and levels, the inputs of light are the
+///        vertex's three numbers, otherwise the grey level. Floats are stored by their bits. A
+///        triangle has its last corner twice.
+/// Lives: make one object for each worker, and keep it from frame to frame, since it keeps its
+///        memory. The queue is empty between bands.
 struct fill_queue {
     static constexpr std::size_t widest_vector = 16, components = fill_piece::corner().size();
     /// The number of polygons that are filled together: a multiple of every vector's width. So
@@ -159,9 +162,9 @@ struct fill_queue {
     alignas(64) std::int32_t name[room];
     static constexpr std::int32_t piece = std::numeric_limits<std::int32_t>::min();
 
-    /// The grid or the triangles that have the polygon.
+    /// The l3d_micro_grid or the l3d_micro_triangles that each polygon belongs to.
     alignas(64) std::array<const void*, room> source;
-    /// 0 if the polygon is hidden; set when it is about to be filled.
+    /// 0 for each polygon that is hidden, set when the polygons are about to be filled.
     alignas(64) std::int32_t seen[room];
     /// The material, as fill_words::of_material gives it; set only in frames with materials.
     alignas(64) std::uint32_t material[room];
@@ -217,8 +220,8 @@ void light_vertices(const l3d_shading& shading, const l3d_micro_grid& grid, floa
 void fill_quads(const fill_target& to, const fill_grid& grid, int row_begin, int row_end,
                 int column_begin, int column_end);
 
-/// Fills triangles [first, last), with their own materials if they have some, else with this one.
-/// In all other respects it works as fill_quads.
+/// Fills triangles [first, last), with their own materials if they have some, else with `material`.
+/// In all other respects the function works as fill_quads.
 void fill_triangles(const fill_target& to, const l3d_micro_triangles& triangles,
                     std::uint32_t material, std::size_t first, std::size_t last);
 

@@ -30,8 +30,8 @@ constexpr float grey_of_cosine = 229.5f;
 /// squares stay above 0.75.
 constexpr float smooth_spread = 1.0f;
 
-/// Limits up to which all normals of a polygon are divided by their length with the same factor, 1
-/// + spread / 32. The error must be at most flat_error grey levels. The spread must be at most
+/// Limits up to which one factor, 1 + spread / 32, replaces 1 / (a normal's length) for all normals
+/// of a polygon. The error must be at most flat_error grey levels. The spread must be at most
 /// flat_spread, where the squares of these errors are a tenth of a grey level.
 constexpr float flat_error = 0.9f, flat_spread = 0.25f;
 
@@ -65,11 +65,12 @@ public:
         spread_ = hn::Add(hn::Add(square1_, square2_), hn::Mul(set(0.5f), across));
     }
 
-    /// Adds to the unfit polygons those whose normals differ too much for lanes.
+    /// Returns the polygons that the lanes do not take: the unfit ones, and those whose normals
+    /// differ too much.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const {
         return hn::Or(unfit, mask_of(hn::Gt(spread_, set(smooth_spread))));
     }
-    /// Returns those of the polygons whose pieces the lanes can fill.
+    /// Returns the polygons among `polygons` whose pieces the lanes can fill.
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const {
         return hn::And(polygons, mask_of(hn::Le(spread_, set(piece_spread))));
     }
@@ -183,8 +184,10 @@ private:
     }
 
     float_vec normal_[3][4], spread_;
-    float_vec square1_, square2_; ///< squared differences of opposite corners' normals
-    /// Components of these differences along the twist a - b + c - d of the corners' normals.
+    /// The squares of |c - a| and |d - b|, where a to d are the corners' normals.
+    float_vec square1_, square2_;
+    /// The sum of the sizes of two products. Each multiplies a difference of opposite corners'
+    /// normals by the twist a - b + c - d of all four normals.
     float_vec lean_;
     lane_plane lit_, facing_, bend_x_;
     lane_parabola bend_;

@@ -35,8 +35,8 @@ public:
         side_dc_ = load_float(queue.corner[3][4] + at);
     }
 
-    /// Adds to the unfit polygons the skewed quads, as a parabola in their parameters is far from a
-    /// parabola in the picture.
+    /// Returns the polygons that the lanes do not take: the unfit ones and the skewed quads. In a
+    /// skewed quad, a parabola in its parameters is far from a parabola in the picture.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask skewed) const {
         return hn::Or(unfit, skewed);
     }
@@ -76,8 +76,8 @@ public:
 private:
     /// The parabola of a quad. Let (y, z) be the place from the corners' mean, in parts of the
     /// diagonals. The parameters along the sides are then y - z and y + z, from -1/2 to 1/2. The
-    /// corners' distance from their plane is weighted by the product of both, and the sides' bends
-    /// by the squares.
+    /// corners' distance from their plane is weighted by the product of both parameters, and the
+    /// sides' bends by the parameters' squares.
     HWY_INLINE mean_parabola quad(const lane_places& at, float_vec mean, float_vec along1,
                                   float_vec along2) {
         const float_vec four = set(4.0f), half = set(0.5f);
@@ -133,8 +133,8 @@ private:
     float_vec level_[4];
     /// The bend of each side: the level in its middle, less the mean of the levels at its ends.
     float_vec side_ab_, side_ad_, side_bc_, side_dc_;
-    /// The amount by which the levels of corners a and c are above the quad's plane of levels, and
-    /// those of b and d below it.
+    /// The levels of corners a and c are above the quad's plane of levels by this amount. The
+    /// levels of b and d are below the plane by the same amount.
     float_vec off_plane_;
     lane_parabola level_of_;
     lane_plane slope_;

@@ -44,11 +44,11 @@ struct vertex_arrays {
 /// The arrays of the four corners of neighbouring polygons. A triangle has its last corner twice.
 using corner_arrays = std::array<vertex_arrays, 4>;
 
-/// The index of the first polygon's corner, in each of the four corners' arrays.
+/// For each of the four corners, the index of the first polygon's corner in its arrays.
 using corner_places = std::array<std::size_t, 4>;
 
-/// The numbers of the corners' light that the queue takes, in arrays. As many elements of each
-/// array may be read as of the corners' arrays.
+/// The numbers of the corners' light that the queue takes, in arrays. Each array may be read to the
+/// same element as the corners' arrays (vertex_arrays::size).
 template <std::size_t Count> struct light_arrays {
     std::array<std::array<const float*, Count>, 4> of;
     corner_places at;
@@ -232,8 +232,8 @@ private:
         return {{{{levels_}, {levels_}, {levels_}, {levels_}}}, {}};
     }
 
-    /// A lower bound of the squared length of a sum of normals. If the normals cancel, the sum gets
-    /// no light but the ambient one.
+    /// A lower bound of the squared length of a sum of normals. If the normals cancel each other,
+    /// the polygon gets only ambient light.
     static constexpr float least_square = 1e-30f;
 
     const l3d_shading& shading_;

@@ -29,8 +29,9 @@ public:
                     hn::Mul(set(normal_code::scale), load_float(queue.corner[i][3 + k] + at));
     }
 
-    /// Tells which polygons the lanes do not take: only those that are unfit already. Any normals
-    /// at corners will do, as lit_words normalizes each pixel's normal later.
+    /// Returns the polygons that the lanes do not take. They are `unfit`, the polygons that are
+    /// unfit already. Lanes can interpolate any normals, as lit_words normalizes each pixel's
+    /// normal later.
     HWY_INLINE int_mask with_unfit(int_mask unfit, int_mask) const { return unfit; }
     HWY_INLINE int_mask fit_in_pieces(int_mask polygons) const { return polygons; }
 

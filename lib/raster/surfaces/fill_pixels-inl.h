@@ -194,7 +194,7 @@ private:
         return there;
     }
 
-    /// The masks of the columns of a run that are below `end`: one for each of the run's vectors.
+    /// Tells which columns of a run are below `end`, by a mask for each of the run's vectors.
     HWY_INLINE auto columns_below(std::int32_t end) const {
         return [this, end = hn::Set(int_tag(), end)](std::size_t v)
                    HWY_ATTR { return hn::Lt(columns_[v], end); };
@@ -254,7 +254,7 @@ private:
         return make_.of_cosines(lit);
     }
 
-    /// Copied from the band, as compilers must assume that stores change the band's members.
+    /// A copy of the band's member, as compilers must assume that stores change the band's members.
     std::uint32_t* words_;
     float* depths_;
     std::uint32_t* normals_;
@@ -306,7 +306,8 @@ private:
 };
 
 /// Fills the polygons of a table in their order. Returns how many pixels were written.
-/// Shape: all polygons have the shape `Shape`, except that some of the twisted ones may be flat.
+/// Shape: all polygons have the shape `Shape`, except that polygons in a table of twisted polygons
+///        may be flat.
 template <fill_shape Shape>
 HWY_INLINE std::int64_t fill_pixels(const fill_band& band, const fill_table& table) {
     fill_polygons polygons(band, table);

@@ -14,7 +14,7 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// One pixel in sub-pixel units.
+/// The size of a pixel, in sub-pixels.
 constexpr std::int32_t pixel = l3d_subpixel_one;
 
 HWY_INLINE int_vec load(const std::int32_t* p) {
@@ -125,7 +125,8 @@ struct lane_edge {
 };
 
 /// A linear function over a polygon: base + first s + second t. s and t are whole numbers: the
-/// cross products of the vector from corner a with the polygon's two differences (lane_frame).
+/// cross products of the vector from corner a to the place with the polygon's two differences
+/// (lane_frame).
 struct lane_plane {
     float_vec base, first, second;
 
@@ -207,8 +208,8 @@ struct lane_places {
     /// The change of s and t from a column of the picture to the next.
     float_vec column_s, column_t;
     int_mask fits, piece; ///< polygons that are filled with this vector, and pieces of quads
-    int_mask triangle;    ///< polygons that have their last corner twice
-    /// Distance between the middles of a quad's diagonals, in parts of the diagonals.
+    int_mask triangle;    ///< polygons that are triangles: corner d is c again
+    /// The distance between the middles of a quad's two diagonals, as a share of the diagonals.
     float_vec uneven;
 };
 
@@ -242,16 +243,16 @@ struct lane_corners {
     }
 };
 
-/// A bound of the error that the change of w over a polygon adds to interpolated numbers, as a
-/// share of the range of these numbers at the corners.
+/// A bound of the error of interpolated numbers that comes from the change of w over a polygon.
+/// Units: a share of the difference between the largest and the least number at the corners.
 HWY_INLINE float_vec share_of_depth(const fill_table& table) {
     const floats d;
     const float_vec ratio = hn::Div(hn::Load(d, table.nearest.of), hn::Load(d, table.farthest.of));
     return hn::Mul(set(0.25f), hn::Sub(ratio, set(1.0f)));
 }
 
-/// Notes the errors of a vector of polygons, as fill_counts does: the largest error up to `most`,
-/// and the number of larger errors.
+/// Notes the errors of a vector of polygons, as fill_counts keeps them: the largest error up to
+/// `most`, and the number of larger errors.
 HWY_INLINE void note_errors(float_vec error, double most, float& largest, std::int64_t& unproven) {
     const floats d;
     const auto tight = hn::Le(error, set(static_cast<float>(most)));

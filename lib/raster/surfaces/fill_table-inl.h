@@ -31,7 +31,8 @@ alignas(64) constexpr std::int32_t run_columns[run] = {0, 1, 2,  3,  4,  5,  6, 
 /// polygon within this limit covers at most most_pixels + 1 rows and columns.
 constexpr std::int32_t most_pixels = 64;
 
-/// Polygons are set up together, one in each lane of a vector.
+/// Polygons are set up together, one in each lane of a vector. A queue has room for the widest
+/// vector.
 static_assert(lanes <= fill_queue::widest_vector);
 
 /// The way in which a pixel's grey is found from `lit`, which is a plane over the polygon.
@@ -40,7 +41,7 @@ enum class fill_shape {
     flat,    ///< lit is the cosine times 229.5
     twisted, ///< lit / sqrt(bend) is the cosine times 229.5, with its sign turned where facing < 0
     bent,    ///< lit is the cosine times 229.5, as a parabola instead of a plane
-    normal   ///< lit is one of three components of a normal, each a plane
+    normal   ///< lit is the x of a normal; the normal's y and z are planes of their own
 };
 
 /// An array with a number for each polygon in a vector.
@@ -56,18 +57,18 @@ template <class T> struct alignas(lanes * sizeof(T)) lane_array {
 struct fill_row {
     /// The row's first covered column, and its number of covered pixels.
     lane_array<std::int32_t> from, pixels;
-    /// The column at which the first run begins. It is `from`, but at the picture's right edge, or
-    /// without pixels, a column where a run fits.
+    /// The column at which the first run begins. It is `from`, except at the picture's right edge
+    /// and in rows without pixels. There it is a column where a run fits.
     lane_array<std::int32_t> begin;
     lane_array<float> inv_w, lit;
 };
 
-/// A row's further numbers for twisted polygons.
+/// Further numbers of a row of a twisted polygon (fill_shape).
 struct fill_row_twisted {
     lane_array<float> bend, bend_x, facing;
 };
 
-/// A row's y and z of normals, if `lit` is the x.
+/// Further numbers of a row if its `lit` is the x of normals: the y and z of these normals.
 struct fill_row_normal {
     lane_array<float> y, z;
 };
@@ -83,7 +84,8 @@ struct fill_table {
     /// Indices of column 0 of the polygon's first row, in band.words and band.depths.
     lane_array<std::int32_t> word_at, depth_at;
     lane_array<std::int32_t> height; ///< number of rows; 0 if there is nothing to fill
-    /// Pixels of the longest row; > most_pixels at the picture's right edge.
+    /// The number of pixels in the longest row. At the picture's right edge it is more than
+    /// most_pixels.
     lane_array<std::int32_t> longest;
     lane_array<float> inv_w_x, lit_x, farthest, nearest;
     lane_array<float> darkest, brightest;

@@ -16,7 +16,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Shuffles that make a pixel word from the lowest byte of each sum. A grey repeats the byte in the
-/// word's three lower bytes. A level takes it once, as the other bytes belong to the material.
+/// word's three lower bytes. A level takes the byte once, as the word's other bytes belong to the
+/// material.
 alignas(16) constexpr std::uint8_t bytes_of_greys[16] = {0, 0, 0, 0x80, 4,  4,  4,  0x80,
                                                          8, 8, 8, 0x80, 12, 12, 12, 0x80};
 alignas(16) constexpr std::uint8_t bytes_of_levels[16] = {
@@ -43,12 +44,14 @@ template <class D> struct word_maker {
         return hn::Or(spread(hn::Add(level, hn::Set(D(), whole_numbers))), material_);
     }
 
-    /// Words of the z of normals and the material. Expects: components as in normal_code.
+    /// Packs words: the normal's z in the upper half, the material in the lower half. Expects: z
+    /// times normal_code::scale.
     HWY_INLINE word_vec of_normal_z(hn::Vec<D> z) const {
         return hn::Or(hn::ShiftLeft<16>(rounded(z)), material_);
     }
 
-    /// Words of the x and y of normals.
+    /// Packs words: the normal's x in the lower half, its y in the upper half. Expects: x and y
+    /// times normal_code::scale.
     static HWY_INLINE word_vec of_normal_xy(hn::Vec<D> x, hn::Vec<D> y) {
         return hn::Or(hn::And(rounded(x), hn::Set(tag(), 0xffffu)), hn::ShiftLeft<16>(rounded(y)));
     }
@@ -82,7 +85,8 @@ private:
         return hn::BitCast(tag(), hn::Add(number, hn::Set(D(), normal_code::whole_numbers)));
     }
 
-    /// Words made of the lowest byte of each sum.
+    /// Words that repeat the lowest byte of each sum in the bytes of a grey, or have it in the byte
+    /// of a level.
     HWY_INLINE word_vec spread(hn::Vec<D> sum) const {
 #if HWY_TARGET == HWY_SCALAR
         return hn::Mul(hn::And(hn::BitCast(tag(), sum), hn::Set(tag(), 0xffu)), unit_);
@@ -96,7 +100,7 @@ private:
     word_vec unit_, material_;
 #else
     hn::Vec<hn::Repartition<std::uint8_t, D>> bytes_;
-    /// A word with the material alone; a word with the material and the level of ambient light.
+    /// Words of the polygon's material: with level 0, and with the level of ambient light.
     word_vec material_, darkest_;
 #endif
 };

@@ -75,7 +75,8 @@ public:
     }
 
     /// Twice the area of the triangle between a side and the crossing of the two sides beside it; 0
-    /// if these two sides do not cross. The turns give the crossing's place on the next side.
+    /// if these two sides do not cross. The turns at the corners tell where on the next side the
+    /// crossing lies.
     double crossed(std::size_t side) const {
         const auto at = [&](std::size_t i) { return static_cast<double>(at_[(side + i) % 4]); };
         if (at(0) * at(3) >= 0 || at(1) * at(2) >= 0)
@@ -176,7 +177,7 @@ void cut_folded(const quad_corners& v, bool parallel, const quad_turns& turns, c
 
 /// The bends of a quad's sides and diagonals in mode l3d_shade::levels: the level in the middle of
 /// a side or diagonal, less the mean of the levels at its ends. In the middle of the quad's
-/// parameters, the level is the corners' mean, plus the mean bends of both pairs of opposite sides.
+/// parameters, the level is the corners' mean, plus the mean bend of each pair of opposite sides.
 struct quad_bends {
     float ab, ad, bc, dc, ac, bd;
 

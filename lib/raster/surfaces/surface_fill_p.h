@@ -149,8 +149,8 @@ private:
                        start, row);
     }
 
-    /// Fills a row of a polygon. Numbers are counted from the beginning of the unclipped span, so
-    /// that a pixel's colour does not depend on where the picture ends.
+    /// Fills a row of a polygon. Interpolated numbers are computed from those at the beginning of
+    /// the unclipped span, so that a pixel's colour does not depend on where the picture ends.
     void fill_row(std::int32_t row, const planes& plane, const numbers& step, float farthest,
                   float nearest) {
         const std::int32_t start = target_.scan.first(row);
@@ -179,7 +179,7 @@ private:
         target_.counts.written += written;
     }
 
-    /// Fills rows as fill_row does, some rows at a time in lanes.
+    /// Fills rows as fill_row does, but several rows at a time, in lanes.
     void fill_in_lanes(scan_rows rows, const planes& plane, float farthest, float nearest) {
         wide_polygon of{.planes = plane.view(),
                         .farthest = farthest,

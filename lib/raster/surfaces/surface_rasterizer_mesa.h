@@ -56,7 +56,8 @@ private:
     l3d_shading shading_;
     l3d_surface_counts counts_;
     std::uint32_t error_color_ = 0x00ffffff;
-    std::array<std::uint8_t, 4> color_{}; ///< colour of the next vertices' material
+    /// The material's colour for vertices that are added next.
+    std::array<std::uint8_t, 4> color_{};
     std::vector<vertex> batch_;
     l3d_size held_size_;
     bool fits_ = false; ///< whether GL can hold the picture

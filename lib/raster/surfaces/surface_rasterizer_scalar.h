@@ -31,9 +31,9 @@ private:
     l3d_detail::band_scalar filler_;
     l3d_detail::material_words materials_;
     l3d_shading shading_;
-    l3d_pixels drawn_; ///< the picture that is drawn into
+    l3d_pixels drawn_; ///< the target, or own_picture_ if only a part is drawn
     l3d_depth_buffer own_depth_;
-    l3d_image own_picture_; ///< memory in which parts of pictures are drawn
+    l3d_image own_picture_; ///< the picture into which a frame of begin_part is drawn
     l3d_pixel_box part_; ///< the part of own_picture_ that is copied to part_target_; may be empty
     l3d_pixels part_target_;
     l3d_depth_buffer* depth_ = nullptr;

@@ -62,12 +62,13 @@ struct l3d_surface_rasterizer_sw::work_space {
     coarse_depth coarse;
     material_words materials;
     lit_words lights;
-    /// One plane of a band for each worker, or one plane of the picture.
+    /// The second words of normals: a plane of a band for each worker, or one plane of the whole
+    /// picture.
     std::vector<normal_plane> normals;
     std::vector<band_painter> painters; ///< a painter for each worker
     /// Depths of a band for each worker, if nobody wants depths after the frame.
     std::vector<l3d_depth_buffer> worker_depths;
-    l3d_depth_buffer kept_depth; ///< depths of the picture, if only anti-aliasing wants them
+    l3d_depth_buffer kept_depth; ///< depths of the picture, if only anti-aliasing needs them
     /// The number of covered pixels in each band, if they are counted.
     std::vector<std::int64_t> covered;
     /// Gets the words of begin_part and begin_over, which are not drawn into the target itself.
@@ -135,8 +136,8 @@ void l3d_surface_rasterizer_sw::draw_into_own(l3d_size size) {
     target_ = refined_ = picture.pixels();
 }
 
-/// Draws polygons whole into a picture of its own, so that no number in them depends on where the
-/// part ends. Pixels beside the part are not copied.
+/// Draws whole polygons into a picture of the rasterizer's own, so that no number of a polygon
+/// depends on where the part ends. Only the part's pixels are copied to the target.
 void l3d_surface_rasterizer_sw::do_begin_part(l3d_pixels target, l3d_depth_buffer* depth,
                                               const l3d_shading& shading,
                                               const l3d_pixel_box& part) {
@@ -272,7 +273,8 @@ void l3d_surface_rasterizer_sw::finish_band(int index, const fill_band& band) {
         color_band(band); // nothing else will be drawn, and the band is in the cache
 }
 
-/// The memory of a band. Depth and normals are the worker's own if nobody wants the picture's.
+/// The memory of a band. Depths and normals are in the worker's own memory, unless those of the
+/// whole picture are kept.
 fill_band l3d_surface_rasterizer_sw::band_at(int index, std::size_t worker) {
     const int top = window_.top + index * rows_, bottom = std::min(top + rows_, window_.bottom);
     l3d_depth_buffer& depth = depth_ ? *depth_ : work_->worker_depths[worker];
@@ -371,8 +373,8 @@ void l3d_surface_rasterizer_sw::do_finish() {
                         : l3d_surface_counts::none_counted;
 }
 
-/// Smooths the edges. Parts that several calls have drawn are listed once more, as if one call had
-/// drawn them.
+/// Smooths the edges. If several calls have drawn parts, all parts are listed once more, as if one
+/// call had drawn them.
 void l3d_surface_rasterizer_sw::refine() {
     band_list& list = work_->list;
     if (work_->parts.size() > last_parts_)

@@ -27,7 +27,7 @@ struct l3d_band_settings {
 ///
 /// Units:   as l3d_surface_rasterizer_scalar, its slow twin.
 /// Lives:   borrows the workers.
-/// Cost:    a frame allocates only where it needs more memory for something than any frame before.
+/// Cost:    a frame allocates only if it needs more memory for some purpose than any frame before.
 ///          In pictures at least 16 pixels wide, modes lambert, gouraud, flat and levels are filled
 ///          in SIMD lanes, all others pixel by pixel. Gouraud and flat cost least. Several lights
 ///          and highlights are done in lanes, too, except in flat shading; they take a fifth to a

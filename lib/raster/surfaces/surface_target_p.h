@@ -23,7 +23,7 @@ struct surface_target {
     std::uint32_t material = 0; ///< the polygons' material, as fill_words::of_material has it
     /// Cuts that limit the polygons; only pixels that all cuts keep are filled.
     std::span<const plane_cut> cuts;
-    /// Whether rows are filled in lanes, with the same bits, if the shader can.
+    /// Whether rows are filled in lanes if the shader can do so. The bits are the same either way.
     bool by_lanes = false;
 
     /// The word that is stored in a pixel for the word that a shader gives.

@@ -235,7 +235,8 @@ private:
 
     const fill_band& band_;
     vec farthest_, nearest_, step_[numbers];
-    std::int32_t last_fit_; ///< the last column where a vector fits the picture
+    /// The last column at which a vector of pixels can begin within the picture.
+    std::int32_t last_fit_;
     word_vec word_, material_, unit_;
     vec darkest_, brightest_; ///< the least and the largest intensity
     normal_light<D> light_;

@@ -24,7 +24,7 @@ struct row_light {
     kind by = kind::word;
     std::uint32_t word = 0;
     float darkest = 0, brightest = 1;
-    std::array<float, 3> light{}; ///< unit vector to the light
+    std::array<float, 3> light{}; ///< unit vector towards the light
 };
 
 /// Runs of columns [begin, end) in some rows of a polygon. Interpolated numbers are counted from
@@ -60,8 +60,8 @@ struct wide_polygon {
 
 /// Fills rows of one polygon, and returns how many pixels were written.
 ///
-/// The result has the same bits as from surface_fill, which fills pixel by pixel with the shader
-/// that the light comes from.
+/// The result has the same bits as a result of surface_fill, which fills pixel by pixel with the
+/// shader that made the row_light.
 /// Shape:   the band's normals are used only with row_light::kind::code.
 /// Expects: rows of the band; 0 <= begin, end <= width, start <= begin; no columns if begin >= end.
 ///          Words and depths of whole rows may be read and written back.

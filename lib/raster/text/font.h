@@ -16,10 +16,10 @@
 /// Draws text in UTF-8 with the smooth letters of a font file, in any size.
 ///
 /// Lines are laid out by the rules of Unicode, also where scripts from right to left stand among
-/// others. HarfBuzz kerns and joins letters. A letter that the font lacks comes from another font
-/// of this machine, if one has it. Otherwise the font's sign for a missing letter is shown, mostly
-/// a box; bytes that are not UTF-8 show this sign, too. A tab goes to the next multiple of eight
-/// blanks. Other control characters and soft hyphens are invisible.
+/// scripts from left to right. HarfBuzz kerns and joins letters. A letter that the font lacks comes
+/// from another font of this machine, if one has it. Otherwise the font's sign for a missing letter
+/// is shown, mostly a box; bytes that are not UTF-8 show this sign, too. A tab goes to the next
+/// multiple of eight blanks. Other control characters and soft hyphens are invisible.
 ///
 /// A font without a file has the built-in face of l3d_draw_text: printable ASCII in whole multiples
 /// of 5 x 7 pixels, from left to right, the same bits on every machine.
@@ -84,7 +84,7 @@ private:
 };
 
 /// The distance from one character to the next, in font pixels. A font pixel is a dot of the
-/// built-in face; a character is 5 x 7 of them.
+/// built-in face; a character has 5 x 7 dots.
 inline constexpr int l3d_text_advance = 6;
 /// The distance from one line of text to the next, in font pixels.
 inline constexpr int l3d_text_line = 9;

@@ -45,8 +45,8 @@ const font_source* font_fallbacks::find(char32_t code) {
     return found->second;
 }
 
-/// Asks fontconfig for a font with a letter. The font that fontconfig finds nearest need not have
-/// the letter, so this is tested.
+/// Asks fontconfig for a font with a letter. Then tests whether the font has the letter, as the
+/// font that fontconfig finds nearest need not have it.
 const font_source* font_fallbacks::ask(char32_t code) {
     const unique<FcPattern> best = best_with(code);
     FcChar8* file = nullptr;

@@ -12,7 +12,8 @@
 namespace l3d_detail {
 
 /// Finds other fonts of this machine for letters that a font lacks. It asks fontconfig once for
-/// each letter that no open font has. Before the first such letter, nothing is asked or opened.
+/// each letter that no open font has. Before the first of these letters, fontconfig is not asked,
+/// and no font is opened.
 class font_fallbacks {
 public:
     /// A font that has this letter; null if the machine has no such font.

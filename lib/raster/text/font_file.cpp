@@ -104,8 +104,8 @@ private:
     /// `phases`.
     using letter_key = std::tuple<const l3d_detail::font_source*, unsigned, int, int>;
 
-    /// The number of places within a pixel. Letters are drawn at the nearest of these, so at most
-    /// 1/8 pixel off their place.
+    /// The number of places within a pixel. Letters are drawn at the nearest of these places, at
+    /// most 1/8 pixel away from the exact place.
     static constexpr int phases = 4;
 
     static FT_Face sized(const l3d_detail::font_source& source, int size) {

@@ -124,7 +124,7 @@ std::vector<l3d_panel> l3d_panel::pages(l3d_size picture, const std::string& key
 }
 
 /// Divides the panel into `count` panels of equally many rows. A last line in each new panel names
-/// the key that shows the next one.
+/// the key that shows the next panel.
 std::vector<l3d_panel> l3d_panel::divided(std::size_t count, const std::string& key) const {
     if (count == 1)
         return {*this};

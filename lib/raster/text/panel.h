@@ -17,13 +17,13 @@
 
 /// The look of a panel: its letters and colours. Units: colours are pixel words.
 struct L3D_PUBLIC l3d_panel_style {
-    /// The letters of all text.
+    /// The font of all text in the panel.
     l3d_font font{};
 
     /// The height of letters in pixels. Where letters of this size do not fit, they become smaller.
     int size = 14;
 
-    /// The colour of lines.
+    /// The colour of the text in lines.
     std::uint32_t text = 0x00f2f2f2;
 
     /// The colour of the word before a line, such as a key's name.
@@ -35,13 +35,13 @@ struct L3D_PUBLIC l3d_panel_style {
     /// The opacity of the ground, from 0 to 255.
     int ground_coverage = 200;
 
-    /// The coverage of a ground that hides everything, so that text on a slow line stands still
-    /// before moving surfaces.
+    /// The ground_coverage of a ground that hides everything behind it. With a slow connection to
+    /// the screen, text then stands still while surfaces move behind it.
     static constexpr int opaque = 255;
 
     /// The height of letters that suits a picture: a fiftieth of its height, but from 12 to 16
-    /// pixels, times l3d_screen::text_scale. It is at most a sixteenth of the picture's height, to
-    /// leave room for a dozen lines.
+    /// pixels, times l3d_screen::text_scale. text_scale raises it to at most a sixteenth of the
+    /// picture's height, to leave room for a dozen lines.
     static int size_for(l3d_size picture, double text_scale = 1);
 };
 
@@ -67,7 +67,7 @@ public:
     /// lines form a column.
     void add(const std::string& key, const std::string& text);
 
-    /// Adds a title: lines that begin at the left, in the column of these words.
+    /// Adds a title: lines that begin at the left, in the column of the words before lines.
     void add_title(const std::string& text);
 
     /// Adds a scale: a bar of colours that pass into each other, with a text under each end.
@@ -79,14 +79,14 @@ public:
     /// The number of lines and scales that were added.
     std::size_t rows() const { return rows_.size(); }
 
-    /// Whether nothing was added.
+    /// Whether no line and no scale was added.
     bool empty() const { return rows_.empty(); }
 
     /// Divides the lines among as few panels as possible, each of which leaves half of the picture
-    /// free. If there are several, each panel says that the key named `key` shows the next. Panels
-    /// of only a few lines may still cover more than half of the picture. All panels have the same
-    /// height of letters: the style's, or the largest that fits. A very small picture, where the
-    /// smallest letters leave no room for a few lines, gets one panel.
+    /// free. If there are several panels, each says that the key named `key` shows the next panel.
+    /// Panels of only a few lines may still cover more than half of the picture. All panels have
+    /// the same height of letters: the style's, or the largest that fits. A very small picture,
+    /// where the smallest letters leave no room for a few lines, gets one panel.
     std::vector<l3d_panel> pages(l3d_size picture, const std::string& key,
                                  const l3d_panel_style& style) const;
 

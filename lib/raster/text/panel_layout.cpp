@@ -34,8 +34,8 @@ struct line_end {
     bool has_hyphen = false;
 };
 
-/// Finds the last place before another one where a line may end: a blank, or a soft hyphen if the
-/// line still has room for a hyphen.
+/// Finds the last place before byte `before` at which a line may end: a blank, or a soft hyphen if
+/// the line still has room for a hyphen.
 line_end last_end(const l3d_font& font, std::string_view text, int size, int width,
                   std::size_t before) {
     const std::size_t space = text.rfind(' ', before);

@@ -46,8 +46,8 @@ public:
     /// fit into `most`, or a word must be broken.
     bool make(int size, int columns, l3d_size most);
 
-    /// Removes the lines from the last layout that do not fit into `most`, and adds three dots in
-    /// their place.
+    /// Removes from the last layout the lines that do not fit into `most`, and adds three dots in
+    /// place of these lines.
     void cut(l3d_size most);
 
     const std::vector<panel_line>& lines() const { return lines_; }
@@ -56,7 +56,7 @@ public:
     int bar_height() const { return letter_size_; }
 
 private:
-    /// A row that was wrapped into lines.
+    /// The lines into which a row was wrapped.
     struct block {
         std::vector<std::string> text;
         int height = 0;

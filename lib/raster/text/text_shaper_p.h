@@ -42,7 +42,7 @@ public:
 
 private:
     /// The number of lines whose layouts are kept. Help has some dozens of lines, each of which is
-    /// tried in some widths.
+    /// tried in several widths.
     static constexpr std::size_t most_lines = 1024;
 
     /// A run of text, and the font that has its letters; the font is null for a tab.

@@ -45,8 +45,8 @@ struct picture_map {
     }
 };
 
-/// A picture_map in floats, for parameters relative to some parameters of the patch. Shape: u and v
-/// of the texture's picture.
+/// A picture_map in floats, for parameters relative to those of one place on the patch. Shape: u
+/// and v of the texture's picture.
 ///
 /// Cost: floats round parameters by 2^-24 of the patch. This rounding is seen only where a patch
 ///       repeats a picture more often than pixels could show.
@@ -60,7 +60,7 @@ struct near_map {
 /// Lives: borrows part, parameters and texture.
 struct painted_part {
     std::uint32_t first = 0;    ///< the name of the quad at index 0
-    std::uint32_t material = 0; ///< the index of the part's material among the frame's
+    std::uint32_t material = 0; ///< the index of the part's material among the frame's materials
     const l3d_surface_part* part = nullptr;
     /// Parameters of the grid's first vertex, to which `near` and `parameters` are relative.
     l3d_patch_parameters origin;

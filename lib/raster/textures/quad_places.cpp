@@ -33,7 +33,7 @@ struct bilinear {
     HWY_INLINE float_vec along_s(float_vec at_t) const { return hn::Add(s, hn::Mul(at_t, st)); }
     HWY_INLINE float_vec along_t(float_vec at_s) const { return hn::Add(t, hn::Mul(at_s, st)); }
 
-    /// This function, less `factor` times another function.
+    /// This function minus `factor` times the function `other`.
     HWY_INLINE bilinear less(float_vec factor, const bilinear& other) const {
         return {hn::Sub(s, hn::Mul(factor, other.s)), hn::Sub(t, hn::Mul(factor, other.t)),
                 hn::Sub(st, hn::Mul(factor, other.st))};
@@ -90,14 +90,14 @@ struct lane_quad {
     }
 };
 
-/// Arrays for pixels' places in the texture, and for the changes to the pixels on the right and
-/// below.
+/// Arrays for pixels' places in the texture, and for the changes from these to the places of the
+/// pixels on the right and below.
 struct place_rows {
     float *u, *v, *u_right, *v_right, *u_down, *v_down;
 };
 
-/// Finds the places of the texture that pixels show, and the changes to the next pixels. Pixels
-/// outside of `shown` get changes of 0.
+/// Finds the places of the texture that pixels show, and the changes from these places to the
+/// places of the next pixels. Pixels outside of `shown` get changes of 0.
 HWY_INLINE void put_places(const lane_quad& quad, hn::Mask<floats> shown, const place_rows& to) {
     const bilinear x = quad.x.less(quad.left, quad.w), y = quad.y.less(quad.top, quad.w);
     float_vec s = set(0.5F), t = set(0.5F);

@@ -15,21 +15,21 @@ namespace l3d_detail {
 /// A run of pixels that show one part or nothing, as find_quad_places finds it.
 struct part_run {
     std::size_t end = 0;
-    /// Whether some pixels of the run show a triangle; these have no place yet.
+    /// Whether some pixels of the run show a triangle; these pixels have no place yet.
     bool has_triangles = false;
 };
 
 /// Finds the place in the texture's picture for each pixel of the run from `begin` on, and the
-/// steps from there to the places of the next pixels. A pixel beside a quad gets the nearest place
-/// on the quad's sides; where nothing is shown, steps are 0. The bits are the same on every
+/// steps from this place to the places of the next pixels. A pixel beside a quad gets the nearest
+/// place on the quad's sides; where nothing is shown, steps are 0. The bits are the same on every
 /// processor.
 /// Expects: the pixel at `begin` shows the part; `parameters` is painted_parts::parameters.
 part_run find_quad_places(const painted_part& part, const float* parameters,
                           const named_pixels& from, std::size_t begin, painted_pixels& pixels);
 
-/// Finds the place in the texture's picture, and the steps, for one pixel that shows triangle
-/// number `triangle` of the part. The triangle is taken as half of a quad. `pixel` is the pixel's
-/// index in `pixels`.
+/// Finds the place in the texture's picture, and the steps to the places of the next pixels, for
+/// one pixel. The pixel shows triangle number `triangle` of the part. The triangle is taken as half
+/// of a quad. `pixel` is the pixel's index in `pixels`.
 /// Units: pixels from the picture's top left corner.
 void find_triangle_place(const painted_part& part, std::size_t triangle, double x, double y,
                          std::size_t pixel, painted_pixels& pixels);

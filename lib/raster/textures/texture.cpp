@@ -28,8 +28,9 @@ struct float_picture {
     }
 };
 
-/// Calls add(from, weight) for those of `size` pixels along an axis that pixel `at` covers, if
-/// there are only `smaller` pixels. A weight is the covered share of the smaller picture's pixel.
+/// Shrinks a picture along one axis, from `size` to `smaller` pixels: calls add(from, weight) for
+/// each pixel `from` that the smaller picture's pixel `at` covers. A weight is the covered share of
+/// the smaller picture's pixel.
 template <class Add> void visit_covered(int at, int smaller, int size, const Add& add) {
     // In these units, a pixel of the smaller picture is `size` wide, and one of the larger picture
     // `smaller`.
@@ -42,7 +43,7 @@ template <class Add> void visit_covered(int at, int smaller, int size, const Add
     }
 }
 
-/// The light of a pixel in the form of texture_view::texels.
+/// A pixel's light as a word of texture_view::texels.
 std::uint32_t packed(const float* light) {
     std::uint32_t word = 0;
     for (std::size_t c = 0; c < channels; ++c) {
@@ -53,8 +54,8 @@ std::uint32_t packed(const float* light) {
     return word;
 }
 
-/// The index, along one axis, of the picture's pixel that is seen at a place up to one pixel beyond
-/// the borders.
+/// The index of the picture's pixel that is seen at place `at` along one axis. The place may be up
+/// to one pixel beyond the picture's borders.
 int held(int at, int size, l3d_texture_wrap wrap) {
     return wrap == l3d_texture_wrap::repeat ? (at + size) % size : std::clamp(at, 0, size - 1);
 }

@@ -21,14 +21,15 @@
 /// The way to find a pixel's colour in a texture's picture, from the part of this picture that the
 /// pixel covers.
 enum class L3D_PUBLIC l3d_texture_filter {
-    nearest,  ///< the colour of the picture's pixel under the middle of the drawn pixel
-    bilinear, ///< bilinear interpolation between the picture's four pixels around this middle
+    nearest, ///< the colour of the picture's pixel under the middle of the drawn pixel
+    /// Bilinear interpolation between the picture's four pixels around the drawn pixel's middle.
+    bilinear,
     /// Bilinear interpolation in two neighbouring copies of the picture, one of which may be the
     /// picture itself, and linear interpolation between both. The pixels of the larger copy are not
     /// wider than the part is long; those of the smaller copy are wider.
     trilinear,
-    /// The mean of up to 16 trilinear colours along the part. Each takes copies whose pixels are as
-    /// wide as the part is narrow.
+    /// The mean of up to 16 trilinear colours along the part. Each of these colours comes from
+    /// copies whose pixels are about as wide as the part's narrow side.
     anisotropic
 };
 
@@ -79,7 +80,8 @@ public:
     /// `trilinear`.
     static constexpr int most_samples = 16;
 
-    /// Makes a texture from a copy of the picture. The highest bytes of its words are ignored.
+    /// Makes a texture from a copy of the picture. The highest bytes of the picture's words are
+    /// ignored.
     /// Expects: a width and a height that are not 0.
     explicit l3d_texture(const l3d_pixels& picture,
                          l3d_texture_wrap wrap_u = l3d_texture_wrap::repeat,
@@ -124,10 +126,10 @@ struct L3D_PUBLIC l3d_painted_triangle {
 
 /// A model made of painted triangles, and its place in the picture.
 ///
-/// In each pixel, values between the corners are those on the triangle's exact plane, and so are
-/// the values' changes to the next pixels. Light is linear. A pixel's light is the product of three
-/// lights: that of the material's colour, of the colour interpolated between the corners, and of
-/// the texture.
+/// A pixel gets its values, and their changes to the next pixels, by interpolation on the
+/// triangle's exact plane. Light is linear. A pixel's light is a product of three lights: the light
+/// of the material's colour, the light of the colour interpolated between the corners, and the
+/// texture's light.
 /// Lives:   borrows its arrays.
 struct L3D_PUBLIC l3d_painted_model {
     /// The number of material by which parts name the model's first triangle.
@@ -153,14 +155,14 @@ struct L3D_PUBLIC l3d_face_paints {
     /// The painted models, in the order of their triangles' numbers. These numbers begin after the
     /// numbers of the frame's materials.
     std::vector<l3d_painted_model> models;
-    /// The painted parts of patches, with numbers after those of the triangles; null if there are
-    /// none. More parts may be added until the frame's finish.
+    /// The painted parts of patches, whose numbers begin after the triangles' numbers; null if no
+    /// patch is painted. More parts may be added until the frame's finish.
     /// Lives: borrowed until the frame's finish, and so are the parts.
     const l3d_detail::painted_parts* parts = nullptr;
     /// The filter of all textures.
     l3d_texture_filter filter = l3d_texture_filter::anisotropic;
 
-    /// The number of material after that of the last triangle.
+    /// The first number of material after the numbers of all triangles.
     std::size_t end() const {
         return models.empty() ? 0 : models.back().first + models.back().triangles.size();
     }

@@ -22,11 +22,12 @@ namespace l3d_detail {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// The largest width of a footprint, in pixels of the texture. It is larger than the width of any
+/// The limit of a footprint's width, in pixels of the texture. It is larger than the width of any
 /// picture, and its square is still a float.
 constexpr float widest = 0x1p60F;
 
-/// Wraps places along one axis, so that they lie from 0 to 1, the picture's borders.
+/// Wraps places along one axis, so that they lie between the picture's borders, which are at 0 and
+/// 1.
 HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     const float_vec one = set(1.0F);
     switch (wrap) {
@@ -42,8 +43,9 @@ HWY_INLINE float_vec held(float_vec place, l3d_texture_wrap wrap) {
     }
 }
 
-/// The two pixels beside places along one axis: the index of the first, and the share of the second
-/// in the colour. Both pixels may lie in the border of one pixel around the mip level.
+/// The two pixels beside a place along one axis, in each lane: the index of the first pixel, and
+/// the share of the second pixel in the colour. Both pixels may lie in the border of one pixel
+/// around the mip level.
 struct neighbours {
     int_vec first;
     float_vec share;
@@ -123,11 +125,11 @@ HWY_INLINE void add_bilinear(const texture_view& texture, const lane_levels& of,
 }
 
 /// Two neighbouring mip levels for the footprint of a pixel in each lane. The pixels of the larger
-/// one are not wider than the footprint, and the other one is the next smaller copy.
+/// mip level are not wider than the footprint. The other mip level is the next smaller copy.
 class level_pair {
 public:
-    /// In the width as a float, the exponent is the number of the larger mip level, and the
-    /// mantissa tells the share of the smaller one.
+    /// Chooses both mip levels by the footprint's width. The exponent of this float is the number
+    /// of the larger mip level, and the mantissa tells the share of the smaller mip level.
     HWY_INLINE level_pair(const texture_view& texture, float_vec width) : texture_(texture) {
         const float_vec held_width = hn::Min(hn::Max(width, set(1.0F)), set(widest));
         const int_vec bits = hn::BitCast(ints(), held_width), one = hn::BitCast(ints(), set(1.0F));
@@ -317,8 +319,8 @@ void take_names(const std::uint32_t* words, const float* depths, std::size_t cou
         to.names[i] = depths[i] > 0 ? words[i] >> 8 : no_name;
 }
 
-/// The product of a grey level and a colour's channel, divided by 255 and rounded: with x the
-/// product plus 128, it is (x + floor(x / 256)) / 256.
+/// The product of a grey level and a colour's channel, divided by 255 and rounded. Let x be the
+/// product plus 128; then the result is (x + floor(x / 256)) / 256.
 HWY_INLINE int_vec product_over_255(int_vec a, int_vec b) {
     const int_vec x = hn::Add(hn::Mul(a, b), set(128));
     return hn::ShiftRight<8>(hn::Add(x, hn::ShiftRight<8>(x)));

@@ -15,12 +15,12 @@ namespace l3d_detail {
 
 /// The pixels of an l3d_texture in memory. Lives: borrows the texture.
 struct texture_view {
-    /// The largest number of mip levels, the picture and its smaller copies: a width or height can
-    /// be halved 31 times.
+    /// The largest number of mip levels, which are the picture and its smaller copies. A width or
+    /// height can be halved 31 times.
     static constexpr std::size_t most_levels = 32;
     /// The pixels of all mip levels. Each word has the square roots of the light of red, green and
-    /// blue, from the highest bit on. The largest numbers stand for the light of white. A border of
-    /// one pixel around each mip level shows what lies beyond its sides.
+    /// blue, from the highest bit on. The largest numbers stand for the light of white. Each mip
+    /// level has a border of one pixel, which shows what lies beyond the level's sides.
     const std::uint32_t* texels = nullptr;
     static constexpr std::array<int, 3> bits{11, 11, 10};
     int width = 0, height = 0, levels = 0;
@@ -32,8 +32,9 @@ struct texture_view {
     static constexpr int pitch(int width) { return width + 2; }
 };
 
-/// Moves a place in a repeated picture to within two pictures from 0, where the picture looks the
-/// same. Near 0, floats can hold fractions of the picture's pixels.
+/// Moves a place in a repeated or mirrored picture by whole periods, to a place from 0 to 2. The
+/// picture looks the same at the new place. Near 0, floats can hold fractions of the picture's
+/// pixels.
 inline double place_near_zero(double place, l3d_texture_wrap wrap) {
     if (wrap == l3d_texture_wrap::clamp)
         return place;
@@ -89,7 +90,8 @@ struct level_steps {
     /// The light at which the table begins; it is below the light of half a level.
     static constexpr float least = 0x1p-13F;
     static constexpr int lower_bits = 16;
-    static constexpr std::size_t steps = 13 * 128 + 1; ///< the last step begins at 1
+    /// The number of steps; the last step begins at light 1.
+    static constexpr std::size_t steps = 13 * 128 + 1;
     /// An entry for each step. Its lowest byte is the level where the step begins. Its upper bytes
     /// are the least lower 16 bits with which a float in this step belongs to the next level.
     std::array<std::int32_t, steps> level{};
@@ -105,12 +107,13 @@ void light_by_texture(const texture_view& texture, l3d_texture_filter filter,
 /// Sets each pixel's word to the levels nearest to its light, as linear_light::level finds them.
 void encode_light(const pixel_range& range, painted_pixels& pixels);
 
-/// The name in pixels that show no polygon.
+/// Stands for the name in pixels that show no polygon.
 inline constexpr std::uint32_t no_name = ~std::uint32_t{0};
 
 /// Pixels of a row, and the names (numbers of material) of the polygons that they show.
 struct named_pixels {
-    alignas(64) painted_pixels::row<std::uint32_t> names; ///< no_name behind the last pixel, too
+    /// A name for each pixel; no_name also behind the last pixel.
+    alignas(64) painted_pixels::row<std::uint32_t> names;
     std::size_t count = 0;
     /// The first pixel's middle, in pixels from the picture's top left corner; x rises by 1.
     double x = 0, y = 0;
@@ -120,8 +123,8 @@ struct named_pixels {
 void take_names(const std::uint32_t* words, const float* depths, std::size_t count,
                 named_pixels& to);
 
-/// Replaces words by colours where depths are not 0. The lowest byte of a word is the grey level
-/// that the pixel's colour in `colors` is multiplied by, by the rule of l3d_material.
+/// Replaces words by colours where depths are not 0. The lowest byte of a word is a grey level. The
+/// rule of l3d_material combines this level and the pixel's colour in `colors`.
 void color_levels(std::uint32_t* words, const float* depths, const std::uint32_t* colors,
                   std::size_t count);
 

@@ -13,8 +13,8 @@ namespace {
 
 using namespace l3d_detail;
 
-/// Turns a piece's place in the order into a depth that rises with it: a positive float from 1/2
-/// on. Floats are ordered like their bits.
+/// Turns a piece's place in the order into a depth, a positive float from 1/2 on. Later places get
+/// larger depths. Floats are ordered like their bits.
 float depth_of_place(std::size_t place) {
     return std::bit_cast<float>(std::bit_cast<std::uint32_t>(0.5F) +
                                 static_cast<std::uint32_t>(place));
@@ -28,7 +28,8 @@ std::array<l3d_micro_vertex, 3> at_place(std::array<l3d_micro_vertex, 3> v, std:
 
 } // namespace
 
-/// Puts the whole triangles into parts, the topmost first, as a rasterizer leaves out hidden items.
+/// Puts the triangles that no cut divides into parts, the topmost triangles first. So the
+/// rasterizer can leave out items that these hide.
 void l3d_painter::make_parts(std::span<const l3d_painter_triangle> triangles,
                              std::span<const l3d_painter_piece> pieces, bool with_materials) {
     constexpr std::size_t in_part = 1024; // some 10^4 cycles of work, and 72 KB

@@ -25,7 +25,7 @@ struct l3d_painter_triangle {
 };
 
 /// A cut of a triangle by another triangle's plane. The cut keeps the pixels in which the triangle
-/// is in front of this plane, or those in which it is behind.
+/// is in front of this plane, or the pixels in which it is behind the plane.
 ///
 /// Two planes meet along a line in the picture, as a plane's 1/w is linear in the picture. This
 /// line divides the pixels without gap and without overlap. No corners are made, so pieces keep the
@@ -33,7 +33,7 @@ struct l3d_painter_triangle {
 struct l3d_painter_cut {
     static constexpr std::uint32_t last = ~0u;
 
-    std::uint32_t splitter = 0; ///< index of the triangle that has the other plane
+    std::uint32_t splitter = 0; ///< index of the triangle whose plane cuts
     /// Whether the part in front of the plane is kept; places of equal depth are in front.
     bool in_front = false;
     /// Index of the next cut of the same piece; `last` if this is the last.
@@ -72,7 +72,7 @@ public:
                std::span<const l3d_painter_piece> pieces, std::span<const l3d_painter_cut> cuts);
 
     /// Clears the picture and draws the visible sides of the pieces as lines. Later pieces hide the
-    /// sides of earlier ones. Background and fog are those of the shading.
+    /// sides of earlier pieces. Background and fog are those of the shading.
     void paint_lines(l3d_pixels target, const l3d_shading& shading,
                      std::span<const l3d_painter_triangle> triangles,
                      std::span<const l3d_painter_piece> pieces,
@@ -96,7 +96,7 @@ private:
     /// The cuts of all triangles of which cuts keep a part.
     std::vector<l3d_detail::plane_cut> plane_cuts_;
     l3d_depth_buffer places_; ///< in each pixel, the topmost piece's place in the order, as a depth
-    l3d_depth_buffer line_depths_; ///< depths of lines, which tell their fog
+    l3d_depth_buffer line_depths_; ///< depths of lines, which tell how much fog the lines get
 };
 
 #endif
