@@ -29,8 +29,8 @@ std::int64_t cost_of(const l3d_step_plan& plan, bool in_lanes) {
     return samples_of(plan) * (in_lanes ? 1 : l3d_evaluated_cost);
 }
 
-/// The cost of a piece's coarsest grid: 25 samples, for four strips of one step each way. The
-/// budget reserves this cost for each waiting piece.
+/// The cost of a piece's coarsest grid. u and v have four strips each, of one step, so the grid has
+/// 5 x 5 samples. The budget reserves this cost for each waiting piece.
 constexpr std::int64_t least_cost = 25 * l3d_evaluated_cost;
 
 /// The factor by which a clipped piece's bounds grow if w of its chords errs by `error` instead of

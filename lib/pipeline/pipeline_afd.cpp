@@ -32,11 +32,10 @@ namespace {
 /// a hull with cusps (docs/NUMERICS.md, section 25).
 constexpr double finer_for_map = 8;
 
-/// The part of the tolerance that the approximation of curved models may take if the models have
-/// trims. Trims are drawn as polygons, whose number of corners falls with the square root of this
-/// part. Dicing gets the rest of the tolerance (docs/NUMERICS.md, section 27). In frames with the
-/// map of errors, curved models keep the usual part. With the larger part, the map would tell
-/// little near the borders of trims.
+/// The share of the tolerance that errors of curved models may take if the scene has trims. It is
+/// larger than l3d_curved_share, since trims are drawn as polygons: four times the share halves
+/// their corners. Dicing gets the rest (docs/NUMERICS.md, section 27). Frames with the map of
+/// errors keep l3d_curved_share, or the map would tell little near the borders of trims.
 constexpr double trimmed_share = 0.25;
 
 using l3d_detail::stopwatch;

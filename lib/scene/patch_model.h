@@ -194,9 +194,9 @@ public:
     /// Expects: as at_level.
     double normal_target(int level) const;
 
-    /// The same pieces as approximations of another surface. These errors become part of the bounds
-    /// of pictures.
-    /// Expects: an error for each piece, finite and not negative. An empty list says that the
+    /// A copy of the model whose pieces count as approximations of another surface. `errors` says
+    /// how far each piece is off that surface. Error bounds of pictures include it. Expects: an
+    /// error for each piece, finite and not negative. An empty list says that the
     ///          pieces are the surface itself.
     l3d_patch_model standing_for(std::span<const l3d_patch_error> errors) const;
 

@@ -46,11 +46,11 @@ void l3d_fill_gap(std::span<const l3d_boundary_point> row, const l3d_edge_polyli
 void l3d_close_side(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
                     const l3d_dice_view& view, double t0 = 0, double t1 = 1);
 
-/// Adds the stretch of an edge from t0 to t1 to the part's border, where smooth edges look for
-/// outlines. Each segment belongs to the quad of the grid's side at the parameter of the segment's
-/// middle. Triangles between grid and edge count as part of these quads. If an edge reaches behind
-/// the near plane, only its part in front of that plane counts.
-/// Expects: as l3d_close_side or l3d_fill_gap, one of which was called before.
+/// Adds the stretch of an edge from t0 to t1 to the part's border, which anti-aliasing
+/// searches for outlines. Each segment belongs to the quad of the grid's side whose range of
+/// parameters holds the segment's middle. Triangles between grid and edge count as part of these
+/// quads. If an edge reaches behind the near plane, only its part in front of that plane counts.
+/// Expects: l3d_close_side or l3d_fill_gap was called for this side. Their expectations hold here.
 /// Cost:    some 5 ns a point.
 void l3d_note_outline_edge(l3d_diced_piece& piece, std::size_t side, const l3d_edge_polyline& edge,
                            const l3d_dice_view& view, double t0 = 0, double t1 = 1);

@@ -142,8 +142,8 @@ struct L3D_PUBLIC l3d_model_file {
 };
 
 /// The same model without shapes: each placement gets its own patches, curves and edges, as a part
-/// with the placement's name. Edges that several shapes share stay shared where these shapes stand
-/// at one place.
+/// with the placement's name. If shapes share an edge and are placed by equal matrices, their
+/// copies share one copy of the edge. Otherwise each has its own.
 L3D_PUBLIC l3d_model_file l3d_flattened(const l3d_model_file& model);
 
 /// The patches, curves and edges of one shape, in the shape's own coordinates. `material` replaces

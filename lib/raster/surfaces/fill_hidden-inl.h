@@ -20,8 +20,8 @@ namespace HWY_NAMESPACE {
 namespace {
 
 /// Whether the depths of all pixels in a box are at least as near as `nearest`, an inv_w.
-/// Expects: a box that is not empty; `depths` points at its first pixel; whole runs of 16 fit the
-///          picture.
+/// Expects: a box that is not empty; `depths` points at its first pixel. Depths are read in runs of
+///          16 from the box's left border, and the last run lies inside the picture, too.
 HWY_INLINE bool all_nearer(const float* depths, std::ptrdiff_t pitch, std::int32_t columns,
                            std::int32_t rows, float nearest) {
     constexpr hn::CappedTag<float, run / 2> d;

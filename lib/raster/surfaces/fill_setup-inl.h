@@ -166,9 +166,9 @@ private:
     }
 };
 
-/// A quadratic function over a polygon with corners a, b, c, d. Its coordinates (y1, z1) name the
-/// place mean + y1 (c - a) + z1 (d - b), where mean is the mean of the corners. Its value there is
-/// base + y y1 + z z1 + yy y1^2 + yz y1 z1 + zz z1^2.
+/// The coefficients of a quadratic function over a polygon with corners a, b, c, d:
+/// base + y y1 + z z1 + yy y1^2 + yz y1 z1 + zz z1^2. The coordinates (y1, z1) belong to the place
+/// mean + y1 (c - a) + z1 (d - b), where mean is the mean of the corners.
 struct mean_parabola {
     float_vec base, y, z, yy, yz, zz;
 };

@@ -92,8 +92,9 @@ struct level_steps {
     static constexpr int lower_bits = 16;
     /// The number of steps; the last step begins at light 1.
     static constexpr std::size_t steps = 13 * 128 + 1;
-    /// An entry for each step. Its lowest byte is the level where the step begins. Its upper bytes
-    /// are the least lower 16 bits with which a float in this step belongs to the next level.
+    /// An entry for each step. Its lowest byte is the level where the step begins. Its upper three
+    /// bytes are a threshold: floats of this step whose lower 16 bits are at least as large belong
+    /// to the next level.
     std::array<std::int32_t, steps> level{};
     level_steps();
 };

@@ -32,7 +32,9 @@ public:
 
 private:
     std::array<vector, 3> corners_;
-    vector first_, along_, across_, normal_; ///< the first end of the longest side; unit vectors
+    vector first_; ///< where the longest side begins
+    vector along_, across_,
+        normal_;            ///< unit vectors: along that side, across it in the plane, normal
     double length_, x_, y_; ///< the longest side's length; the opposite corner's place, y_ >= 0
 };
 

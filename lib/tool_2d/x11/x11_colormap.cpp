@@ -106,14 +106,14 @@ public:
           found_(query_cells(connection.display(), map, cells)) {}
 
     /// The palette of a shape, in cells of exactly its colours.
-    /// Errors:  nothing, and then no cell stays taken.
+    /// Errors:  returns nothing if a cell is missing, and frees all cells that it took.
     std::optional<l3d_palette> share_exactly(const palette_shape& shape) {
         return has_room_for(shape) ? share(shape, true) : std::nullopt;
     }
 
-    /// The palette of a shape. Where the map has no room, the palette has other programs' cells of
-    /// near colours.
-    /// Errors:  nothing, and then no cell stays taken.
+    /// The palette of a shape. If the map is full, the palette has other programs' cells of similar
+    /// colours.
+    /// Errors:  as share_exactly, if a colour has no similar cell.
     std::optional<l3d_palette> share_nearly(const palette_shape& shape) {
         return share(shape, false);
     }
