@@ -89,9 +89,9 @@ public:
 
 private:
     /// The wanted number of chunks, and the least and the largest number of triangles in a chunk.
-    /// Workers take one chunk at a time. 16 chunks give
-    /// workers even shares. The smallest chunk takes some 10^4 cycles. Chunks larger than the
-    /// largest would not stay in a cache of the second level.
+    /// Workers take one chunk at a time. 16 chunks give workers even shares. The smallest chunk
+    /// takes some 10^4 cycles. Chunks larger than the largest would not stay in a cache of the
+    /// second level.
     static constexpr std::size_t chunks_wanted = 16, least_chunk = 1024, most_chunk = 4096;
 
     struct chunk {
