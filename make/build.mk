@@ -20,7 +20,7 @@ again = $(MAKE) $(if $(V),,-s) $(call jobs,0)
 count = rm -f $(OUT)/steps; steps=$$($(MAKE) -n STEPS=1 $(1) 2>/dev/null | grep -c '^echo >> $(OUT)/steps')
 build = $(if $(dry_run),: $(1),$(call count,$(1)); $(again) STEPS=$$steps $(1))
 # What takes longest to compile is begun first, so that no processor waits for it in the end.
-SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel system/options/lib_system_options_1 scene/bends/surface_bends_lanes)
+SLOW_FIRST := $(patsubst %,$(OUT)/lib/%.o,raster/surfaces/fill_kernel scene/bends/surface_bends_lanes)
 
 all: ## build the library and the programs (the default)
 	+@$(call build,$(SLOW_FIRST) $(APPS) $(PLUGINS) $(LIBRARY_PLUGINS) $(DATA) $(ARCHIVES))
@@ -71,8 +71,9 @@ $(OUT)/%.o: %.cpp $(OUT)/flags $$(call precompiled,$$*.cpp).gch | packages-build
 compile = $(Q)mkdir -p $(@D); $(CXX) $(FLAGS) $(FLAGS_$(call kind,$*.cpp)) $(call less_optimised,$*.cpp) $(call include_paths,$*.cpp) \
     -include $(call precompiled,$*.cpp) $(1) -MD -MP -c $< -o $@
 
-# In a unit, one source's own names are known to the next, and g++ takes all for those of a main file. AT_ONCE=1 warns.
-in_unit = -Wno-shadow $(if $(findstring clang,$(compiler)),,-Wno-subobject-linkage)
+# In a unit, one source's own names are known to the next, but for those of tests; AT_ONCE=1 warns of shadows. g++
+# takes all names for those of a main file.
+in_unit = $(if $(filter tests/%,$*),,-Wno-shadow) $(if $(findstring clang,$(compiler)),,-Wno-subobject-linkage)
 $(foreach u,$(UNITS:$(OUT)/%.cpp=%),$(call remember,$(OUT)/list/units/$(u),$(unit_$(u))))
 $(UNITS): $(OUT)/%.cpp: $$(unit_$$*) $(OUT)/list/units/% make/unit.awk
 	$(Q)mkdir -p $(@D); awk -f make/unit.awk $(unit_$*) > $@
