@@ -20,7 +20,6 @@
 
 #include <algorithm>
 #include <limits>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -63,19 +62,6 @@ std::unique_ptr<l3d_rasterizer_2d_imp> create_2d(const l3d_rasterizer_factory& r
     return rasterizers.create_2d(screen.pixels());
 }
 
-/// Bounds the bends of all patches, so that the first frame does not take longer than later frames.
-/// A curved model has too many parts for this. For such a model, each frame bounds the parts that
-/// are drawn for the first time.
-void bound_bends(const l3d_patch_scene& scene, l3d_workers& workers) {
-    std::set<const void*> bounded;
-    for (const l3d_patch_instance& instance : scene.instances()) {
-        const l3d_patch_model& model = instance.model();
-        if (!model.is_curved() && bounded.insert(model.identity()).second)
-            workers.for_each(static_cast<int>(model.patches().size()),
-                             [&model](int i, int) { model.bends(static_cast<std::size_t>(i)); });
-    }
-}
-
 } // namespace
 
 l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
@@ -89,7 +75,6 @@ l3d_pipeline_afd::l3d_pipeline_afd(l3d_canvas canvas, l3d_patch_scene scene,
     report_.method = settings.method.name();
     report_.real = l3d_real_name();
     report_.threads = stages_->workers.count();
-    bound_bends(scene_, stages_->workers);
 }
 
 l3d_pipeline_afd::~l3d_pipeline_afd() = default;

@@ -23,7 +23,7 @@
 #include <utility>
 #include <vector>
 
-/// The bends of a patch, computed at the first call. Patches outside the window never need their
+/// The bends of a patch, computed at the first call. Cells outside the window never need their
 /// bends.
 class l3d_patch_model::bends_on_demand {
 public:
