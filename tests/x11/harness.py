@@ -357,8 +357,9 @@ def read_png(path):
 
 
 def has_picture(rows):
-    """Whether a row has more than one colour: a background alone has one for each."""
-    return rows is not None and any(len(set(row)) > 1 for row in rows)
+    """Whether a row has more than one colour, or is drawdot's line from side to side: a background alone has one colour
+    for each row."""
+    return rows is not None and any(len(set(row)) > 1 or row[0] == GREEN for row in rows)
 
 
 def covered(rows):

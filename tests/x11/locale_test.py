@@ -70,7 +70,8 @@ def main():
         source, host = os.path.join(where, "host.cpp"), os.path.join(where, "host.so")
         with open(source, "w") as file:
             file.write(HOST)
-        subprocess.run([os.environ.get("CXX", "c++"), "-std=c++20", "-shared", "-fPIC", source, "-o", host], check=True)
+        compiler = os.environ.get("CXX", "c++").split()  # such as "ccache g++"
+        subprocess.run([*compiler, "-std=c++20", "-shared", "-fPIC", source, "-o", host], check=True)
         programs = [name for name in sorted(os.listdir(harness.BIN)) if name not in ("vecmath", "matmul", "thumbnail")]
         for command in (*RUNS, *((name, *PICTURE) for name in programs), *((name, "--help") for name in programs)):
             checks.run("locale." + " ".join(command).replace(" ".join(PICTURE), "").strip(), expect_no_commas, host,
