@@ -63,7 +63,7 @@ help: ## this list
 dry_run  = $(findstring n,$(firstword -$(MAKEFLAGS)))
 is_new   = $(subst x$(strip $(2))x,,x$(if $(wildcard $(1)),$(strip $(file <$(1))),none)x)
 remember = $(if $(and $(dry_run),$(wildcard $(1))),,$(if $(is_new),$(shell mkdir -p $(dir $(1)))$(file >$(1),$(strip $(2)))))
-$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(call less_optimised,_test.cpp)))
+$(call remember,$(OUT)/flags,$(filter-out ccache $(WERROR),$(LINK) $(FLAGS_lib) $(FLAGS_test)))
 
 $(OUT)/%.o: %.cpp $(OUT)/flags $$(call precompiled,$$*.cpp).gch | packages-build
 	$(call say,C++,$@)

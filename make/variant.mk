@@ -46,9 +46,11 @@ kind = $(if $(filter lib/% python/% plugins/%,$(1)),lib,$(if $(filter %_test.cpp
 # Lanes are compiled for AVX-512, AVX2, SSE4 and none. Processors with SSSE3 alone are those of 2006 to 2008: they
 # get the last, and each file of lanes is compiled a fifth sooner.
 FLAGS_lib  := -fPIC -fno-semantic-interposition -fvisibility=hidden -DHWY_DISABLED_TARGETS=HWY_SSSE3
-# Tests take longer to compile than to run, and what a program does once need not be fast: both are optimised
-# less. The files beside tests that do the work, such as judges of pictures, are not.
-less_optimised = $(if $(filter lib/system/% apps/% %_test.cpp,$(1)),$(if $(filter release,$(MODE)),-O1))
+# Tests take longer to compile than to run, so they are compiled quickly. The files beside them that do the work, such as
+# judges of pictures, are optimised.
+FLAGS_test := $(if $(filter release,$(MODE)),-Og)
+# What a program does once need not be fast.
+less_optimised = $(if $(filter lib/system/% apps/%,$(1)),$(if $(filter release,$(MODE)),-O1))
 # The standard library's headers are half of what a source takes to compile: each kind has them
 # precompiled. A source includes what it uses all the same, as `make tidy` sees.
 headers_lib  := lib/base/precompiled.h
