@@ -11,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 /// The default direction towards the first light: from above, from the right and from the front.
 inline constexpr l3d_vector<double, 3> l3d_usual_light{0.4, 0.8, 0.45};
@@ -79,7 +80,8 @@ struct L3D_PUBLIC l3d_lighting {
     /// Errors:  throws l3d_error if there are most_further already.
     void add(const l3d_vector<double, 3>& towards, const l3d_light_color& of) {
         if (count >= most_further)
-            throw l3d_error(l3d_exit::failure, "lights: more than the limit of far ones");
+            throw l3d_error(l3d_exit::failure, "lights: at most " + std::to_string(most_further) +
+                                                   " are far, besides the first");
         const l3d_vector<double, 3> unit = l3d_normalized(towards);
         lights[count++] = {
             {static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z)},
@@ -89,7 +91,8 @@ struct L3D_PUBLIC l3d_lighting {
     /// Adds a light at a place. Errors: throws l3d_error if there are most_points already.
     void add_point(const l3d_point_light& light) {
         if (point_count >= most_points)
-            throw l3d_error(l3d_exit::failure, "lights: more than the limit of those at places");
+            throw l3d_error(l3d_exit::failure,
+                            "lights: at most " + std::to_string(most_points) + " are at places");
         points[point_count++] = light;
     }
 
