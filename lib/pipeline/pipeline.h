@@ -84,8 +84,8 @@ public:
     virtual bool skip_event() { return false; }
 
     /// Whether nothing changes until the next event, however much time goes by. In a window the
-    /// dispatcher then sleeps, without calls of update_event. The next update_event does not count
-    /// the time of the sleep.
+    /// dispatcher then sleeps, without calls of update_event, once needs_redraw() is false, too.
+    /// The next update_event does not count the time of the sleep.
     virtual bool is_at_rest() const { return false; }
 
     /// A text that a panel in the window shows until the text changes; \n divides its lines. ""
@@ -95,7 +95,7 @@ public:
     /// The longest time that the program stays at rest without an event. rest_event is called after
     /// this time, or at the next event if that comes first.
     /// Units:   seconds, more than 0.
-    /// Expects: is_at_rest().
+    /// Expects: is_at_rest(), and needs_redraw() is false.
     virtual double rest_left() const { return std::numeric_limits<double>::infinity(); }
 
     /// Called at the end of a rest, in place of update_event, with the time that the rest took.
@@ -103,7 +103,7 @@ public:
     virtual void rest_event(double seconds) { static_cast<void>(seconds); }
 
     /// Whether draw_event would now draw another picture than the last one. While this is false and
-    /// no event came, the dispatcher neither draws nor shows.
+    /// no event came, the dispatcher neither draws nor shows. As it is here, a program never rests.
     virtual bool needs_redraw() const { return true; }
 
     /// A remark of one line that the user should read once, such as that fewer threads draw than

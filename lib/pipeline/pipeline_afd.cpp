@@ -126,6 +126,10 @@ void l3d_pipeline_afd::resize_event(l3d_size) {
 void l3d_pipeline_afd::draw_event() {
     const stopwatch whole;
     l3d_stage_times times;
+    const std::string why =
+        l3d_detail::numbers_complaint(camera_, screen_->pixels().size(), settings_);
+    if (!why.empty())
+        throw l3d_error(l3d_exit::failure, why);
     is_drawing_ = true;
     const basis now = begin_frame();
     const l3d_pixel_boxes parts = parts_to_draw(now);

@@ -166,7 +166,8 @@ L3D_PUBLIC std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size
 /// instances were only moved, it draws the parts of the picture at their old and new places, unless
 /// things are drawn on top of surfaces. Otherwise it draws the whole picture.
 ///
-/// Expects: camera and settings without an l3d_afd_complaint, in every frame.
+/// Expects: camera and settings without an l3d_afd_complaint, in every frame. draw_event throws
+///          l3d_error if a number is wrong, such as a camera's, and leaves the picture as it was.
 /// Lives:   owns screen, workers, rasterizers and scene, and shares the models of the scene.
 /// Cost:    filled surfaces allocate nothing once the largest frame has been seen.
 class L3D_PUBLIC l3d_pipeline_afd : public l3d_pipeline {

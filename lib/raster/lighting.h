@@ -3,6 +3,7 @@
 #ifndef L3D_RASTER_LIGHTING_H
 #define L3D_RASTER_LIGHTING_H
 
+#include "base/error.h"
 #include "base/public.h"
 #include "geom/vector.h"
 
@@ -10,6 +11,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <string>
 
 /// The default direction towards the first light: from above, from the right and from the front.
 inline constexpr l3d_vector<double, 3> l3d_usual_light{0.4, 0.8, 0.45};
@@ -74,16 +76,25 @@ struct L3D_PUBLIC l3d_lighting {
     std::size_t point_count = 0; ///< the number of lights at places; at most most_points
 
     /// Adds a far light: `towards` is the direction to the light, `of` its colour.
-    /// Expects: a direction in world space, of any length but 0; count < most_further.
+    /// Expects: a direction in world space, of any length but 0.
+    /// Errors:  throws l3d_error if there are most_further already.
     void add(const l3d_vector<double, 3>& towards, const l3d_light_color& of) {
+        if (count >= most_further)
+            throw l3d_error(l3d_exit::failure, "lights: at most " + std::to_string(most_further) +
+                                                   " are far, besides the first");
         const l3d_vector<double, 3> unit = l3d_normalized(towards);
         lights[count++] = {
             {static_cast<float>(unit.x), static_cast<float>(unit.y), static_cast<float>(unit.z)},
             of};
     }
 
-    /// Adds a light at a place. Expects: point_count < most_points.
-    void add_point(const l3d_point_light& light) { points[point_count++] = light; }
+    /// Adds a light at a place. Errors: throws l3d_error if there are most_points already.
+    void add_point(const l3d_point_light& light) {
+        if (point_count >= most_points)
+            throw l3d_error(l3d_exit::failure,
+                            "lights: at most " + std::to_string(most_points) + " are at places");
+        points[point_count++] = light;
+    }
 
     /// Whether all lights are the default lights.
     bool is_usual() const { return *this == l3d_lighting(); }

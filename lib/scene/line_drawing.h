@@ -72,8 +72,8 @@ struct L3D_PUBLIC l3d_line_drawing {
 ///
 /// Surfaces that pierce each other have no line where they meet. A line changes between seen and
 /// hidden where it passes through another surface.
-/// Expects: a valid camera, a size of at least 1 x 1.
-/// Errors:  throws l3d_error(bad_input) for a tolerance beyond the limits.
+/// Expects: a size of at least 1 x 1.
+/// Errors:  throws l3d_error(bad_input) for a tolerance beyond the limits, or an invalid camera.
 /// Cost:    some 1.1 million instructions for each piece of a part that fills a picture of a
 ///          million pixels.
 L3D_PUBLIC l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l3d_camera& camera,

@@ -14,12 +14,12 @@
 #include "base/error.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <iterator>
 #include <limits>
 #include <map>
+#include <string>
 #include <tuple>
 #include <utility>
 
@@ -69,6 +69,12 @@ std::string complaint_of(const std::vector<l3d_patch_model::patch>& patches) {
     return "";
 }
 
+std::vector<l3d_patch_model::patch> without_fault(std::vector<l3d_patch_model::patch> patches) {
+    if (const std::string what = complaint_of(patches); !what.empty())
+        throw l3d_error(l3d_exit::bad_input, "model" + what);
+    return patches;
+}
+
 std::vector<l3d_patch_points> pieces_of(std::span<const l3d_nurbs_surface> surfaces) {
     std::vector<l3d_patch_points> pieces;
     for (const l3d_nurbs_surface& surface : surfaces) {
@@ -99,10 +105,10 @@ struct l3d_patch_model::paint {
     std::vector<std::uint32_t> of_pieces;
 };
 
-l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>()) {}
+l3d_patch_model::l3d_patch_model() : l3d_patch_model(std::vector<patch>(), nullptr) {}
 
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
-    : l3d_patch_model(std::move(patches), nullptr) {}
+    : l3d_patch_model(without_fault(std::move(patches)), nullptr) {}
 
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches, const contents* like)
     : contents_(std::make_shared<const contents>(std::move(patches), like)) {
@@ -309,7 +315,9 @@ std::uint32_t l3d_patch_model::material_of(std::size_t index) const {
 }
 
 l3d_patch_model l3d_patch_model::painted(std::span<const l3d_material> materials) const {
-    assert(materials.size() == 1 || materials.size() == pieces());
+    if (materials.size() != 1 && materials.size() != pieces())
+        throw l3d_error(l3d_exit::failure, "materials: " + std::to_string(materials.size()) +
+                                               " for " + std::to_string(pieces()) + " patches");
     l3d_patch_model result = *this;
     result.paint_ = nullptr;
     if (std::ranges::all_of(materials, &l3d_material::is_plain))
@@ -490,7 +498,7 @@ std::optional<l3d_patch_model> l3d_patch_model::checked(std::vector<patch> patch
         why = std::string(name) + what;
         return std::nullopt;
     }
-    return l3d_patch_model(std::move(patches));
+    return l3d_patch_model(std::move(patches), nullptr);
 }
 
 std::optional<l3d_patch_model> l3d_patch_model::from_bpt(std::string_view text,

@@ -84,7 +84,7 @@ public:
     ~l3d_patch_model() = default;
 
     /// A model of these patches, in white.
-    /// Expects: finite coordinates of magnitude at most 1e12.
+    /// Errors: throws l3d_error(bad_input) with the text of checked() for the name "model".
     explicit l3d_patch_model(std::vector<patch> patches);
 
     /// The teapot that the library contains, data/teapot.bpt, with its parts.
@@ -254,7 +254,7 @@ public:
     const vector& pieces_most() const;
 
     /// The same patches with these materials: one for all of them, or one for each piece, in order.
-    /// Expects: 1 or pieces() materials.
+    /// Errors:  throws l3d_error unless there are 1 or pieces() materials.
     /// Cost:    the patches and all that is known of them are shared.
     l3d_patch_model painted(std::span<const l3d_material> materials) const;
     /// The same patches, all of one material.

@@ -192,7 +192,7 @@ void l3d_patch_scene::add(const l3d_patch_model& model, const l3d_matrix<double>
 
 void l3d_patch_scene::place(std::size_t index, const l3d_patch_model& model,
                             const l3d_matrix<double>& placement) {
-    l3d_patch_instance& instance = instances_[index];
+    l3d_patch_instance& instance = instances_.at(index);
     const bool is_same = model.source_identity() == instance.model().source_identity() &&
                          model.paint_identity() == instance.model().paint_identity();
     if (is_same && placement == instance.placement())
@@ -223,7 +223,7 @@ void l3d_patch_scene::note_change(std::size_t index) {
 }
 
 void l3d_patch_scene::paint(std::size_t index, const std::optional<l3d_material>& material) {
-    if (instances_[index].material() == material)
+    if (instances_.at(index).material() == material)
         return;
     note_change(index);
     instances_[index].paint(material);
@@ -231,8 +231,12 @@ void l3d_patch_scene::paint(std::size_t index, const std::optional<l3d_material>
 }
 
 void l3d_patch_scene::lay(std::size_t index, const l3d_laid_picture& picture) {
-    l3d_patch_instance& instance = instances_[index];
-    assert(picture.pieces.empty() || picture.pieces.size() == instance.model().pieces());
+    l3d_patch_instance& instance = instances_.at(index);
+    const std::size_t pieces = picture.pieces.size();
+    if (pieces != 0 && pieces != instance.model().pieces())
+        throw l3d_error(l3d_exit::failure, "picture: corners for " + std::to_string(pieces) +
+                                               " patches of " +
+                                               std::to_string(instance.model().pieces()));
     if (instance.picture() == picture)
         return;
     note_change(index);
@@ -256,7 +260,7 @@ bool l3d_patch_scene::has_curves() const {
 }
 
 void l3d_patch_scene::set_opacity(std::size_t index, double opacity) {
-    l3d_patch_instance& instance = instances_[index];
+    l3d_patch_instance& instance = instances_.at(index);
     if (!(opacity >= 0 && opacity <= 1))
         throw l3d_error(l3d_exit::failure,
                         l3d_detail::formatted("opacity: %f is not from 0 to 1", opacity));

@@ -262,29 +262,28 @@ public:
 
     /// Moves an instance.
     ///
-    /// Expects: an index of instances().
-    /// Errors:  as add; the instance stays where it is.
+    /// Errors:  as add; the instance stays where it is. Throws std::out_of_range if there is no
+    ///          instance of this index, as all functions below do that take one.
     /// Cost:    the box of the whole scene is found again when it is next asked for, by looking at
     ///          each instance.
     void place(std::size_t index, const l3d_matrix<double>& placement) {
-        place(index, instances_[index].model(), placement);
+        place(index, instances_.at(index).model(), placement);
     }
     /// Replaces the model and the placement of an instance.
-    /// Expects, Errors, Cost: as place(index, placement).
+    /// Errors, Cost: as place(index, placement).
     void place(std::size_t index, const l3d_patch_model& model,
                const l3d_matrix<double>& placement);
 
     /// Gives all of an instance one material. Without a material, the materials of the instance's
     /// model are seen again. The material stays when the instance is placed elsewhere, until
     /// another model takes its place.
-    /// Expects: an index of instances().
     void paint(std::size_t index, const std::optional<l3d_material>& material);
 
     /// Lays a picture on the patches of an instance. An l3d_laid_picture without a texture takes
     /// the picture away. Shades that show light show the picture, and multiply its light by the
     /// material's light. The picture stays when the instance is placed elsewhere, until another
     /// model takes its place.
-    /// Expects: an index of instances(); corners for no piece, or for each piece of the model.
+    /// Errors:  throws l3d_error unless there are corners for no piece, or for each of the model's.
     void lay(std::size_t index, const l3d_laid_picture& picture);
     /// Whether a picture lies on any instance.
     bool has_pictures() const;
@@ -296,7 +295,6 @@ public:
     /// Makes an instance transparent. A pixel shows the share `opacity` of the instance's light and
     /// the share 1 - opacity of the light seen without the instance. The instance itself shows its
     /// nearest surface alone. The opacity lasts as long as a material of paint() would.
-    /// Expects: an index of instances().
     /// Errors:  throws l3d_error if the opacity is not from 0 to 1, or for more than
     ///          most_transparent transparent instances; then nothing changes.
     /// Cost:    a frame draws everything in the instance's box twice; where the boxes of n

@@ -2,9 +2,9 @@
 // l3d_dispatcher: does the work that all kinds of dispatchers share.
 #include "system/dispatcher.h"
 
+#include "base/error.h"
 #include "pipeline/captioned_p.h"
 
-#include <cassert>
 #include <string>
 
 void l3d_dispatcher::plug(l3d_pipeline& pipeline, l3d_screen& screen) {
@@ -13,7 +13,8 @@ void l3d_dispatcher::plug(l3d_pipeline& pipeline, l3d_screen& screen) {
 }
 
 l3d_exit l3d_dispatcher::start() {
-    assert(pipeline_ && screen_);
+    if (pipeline_ == nullptr)
+        throw l3d_error(l3d_exit::failure, "dispatcher: no pipeline is plugged in");
     if (!caption_.what.empty() && screen_->is_window())
         return start_with_caption();
     return do_start(*pipeline_, *screen_);

@@ -40,9 +40,8 @@ public:
     /// Runs the loop until the pipeline is done, all frames are made, a signal asks for the end, or
     /// the display is lost.
     ///
-    /// Expects: plug() was called.
     /// Errors: returns display_lost if the display is lost. Throws l3d_error(failure) if a picture
-    ///         cannot be written.
+    ///         cannot be written, or if plug() was not called.
     l3d_exit start();
 
 protected:

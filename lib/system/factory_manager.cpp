@@ -6,6 +6,7 @@
 #include "tool_2d/mesa/screen_mesa.h"
 #include "tool_2d/x11/screen_x11.h"
 #include "raster/rasterizer_factory.h"
+#include "base/error.h"
 #include "base/printable_p.h"
 #include "system/backend_survey_p.h"
 #include "system/dispatcher.h"
@@ -88,8 +89,11 @@ l3d_factory_manager::l3d_factory_manager() {
 l3d_factory_manager::~l3d_factory_manager() = default;
 
 void l3d_factory_manager::add(l3d_backend row) {
-    assert(row.screen_factory && row.rasterizer_factory && row.dispatcher_factory);
     assert(chosen_ == nullptr); // the choice points into the rows
+    if (!row.screen_factory || !row.rasterizer_factory || !row.dispatcher_factory)
+        throw l3d_error(l3d_exit::failure, "back-end '" + row.name + "' lacks a factory");
+    if (std::ranges::find(rows_, row.name, &l3d_backend::name) != rows_.end())
+        throw l3d_error(l3d_exit::failure, "back-end '" + row.name + "' is in the table already");
     rows_.push_back(std::move(row));
 }
 
@@ -148,7 +152,9 @@ bool l3d_factory_manager::choose(l3d_options& options, std::istream& in, std::os
 }
 
 const l3d_backend& l3d_factory_manager::chosen() const {
-    assert(chosen_);
+    if (!chosen_)
+        throw l3d_error(l3d_exit::failure,
+                        "no back-end is chosen yet: canvas and dispatcher are made within run()");
     return *chosen_;
 }
 

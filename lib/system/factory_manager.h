@@ -49,8 +49,9 @@ public:
     l3d_factory_manager& operator=(const l3d_factory_manager&) = delete;
     ~l3d_factory_manager();
 
-    /// Adds a row at the end of the table. Expects: the row has all three factories, and a name
-    /// that no other row has.
+    /// Adds a row at the end of the table.
+    /// Expects: choose() was not called yet.
+    /// Errors:  throws l3d_error if the row lacks a factory, or another row has its name.
     void add(l3d_backend row);
 
     /// Chooses the back-end that --backend names, else the variable L3D_BACKEND, else the program
@@ -70,12 +71,12 @@ public:
     /// asked, since both streams are a terminal.
     bool choose(l3d_options& options, std::istream& in, std::ostream& out, bool may_ask);
 
-    /// The row that choose() took. Expects: choose() returned true.
+    /// The row that choose() took.
+    /// Errors: throws l3d_error if choose() was not called, or took none.
     const l3d_backend& chosen() const;
 
     /// Makes a screen of the chosen back-end.
-    /// Expects: choose() was true.
-    /// Errors:  l3d_error with the reason: display_lost or no_backend.
+    /// Errors:  l3d_error with the reason: display_lost or no_backend; also as chosen().
     std::unique_ptr<l3d_screen> create_screen(const l3d_screen_request& request) const;
 
     /// Makes a window for a notice that is shown before choose(), such as on a long reading. The
@@ -86,8 +87,7 @@ public:
                                               const l3d_screen_request& request) const;
 
     /// Makes a dispatcher of the chosen back-end.
-    /// Expects: choose() was true.
-    /// Errors:  as l3d_dispatcher_factory::create.
+    /// Errors:  as l3d_dispatcher_factory::create and chosen().
     std::unique_ptr<l3d_dispatcher> create_dispatcher(const l3d_frame_settings& settings) const;
 
 private:

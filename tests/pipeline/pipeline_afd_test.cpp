@@ -119,6 +119,37 @@ TEST(pipeline_afd, refuses_settings_before_it_uses_them) {
     expect_refused(100'000, "threads: 100000 is more than 1024; ");
 }
 
+TEST(pipeline_afd, refuses_numbers_that_were_changed_and_draws_on) {
+    const scene s = dice_tests::teapot(reference::project_view("full"), picture_size);
+    tester program(s, settings_of(0.25, 1));
+    const std::vector<std::uint32_t> first = program.draw();
+    const l3d_camera camera = program.camera();
+    const l3d_afd_settings settings = program.settings();
+    const auto expect_refused = [&](const std::string& why) {
+        try {
+            program.draw_event();
+            ADD_FAILURE() << why;
+        } catch (const l3d_error& error) {
+            EXPECT_TRUE(std::string(error.what()).starts_with(why)) << error.what();
+        }
+        EXPECT_EQ(program.words(), first);
+        program.camera() = camera;
+        program.settings() = settings;
+    };
+    program.camera().fov = 200;
+    expect_refused("camera: fov");
+    program.camera().eye = program.camera().target;
+    expect_refused("camera: target");
+    program.settings().light = {0.0, 0.0, 0.0};
+    expect_refused("light: no direction");
+    program.settings().tolerance = -1;
+    expect_refused("tolerance: -1");
+    program.settings().shade = l3d_shade::own;
+    expect_refused("own: ");
+    program.draw_again();
+    EXPECT_EQ(program.words(), first);
+}
+
 TEST(pipeline_afd, draws_the_same_bits_with_any_number_of_threads) {
     for (const reference::view& view : reference::project_views()) {
         const scene s = teapot(view, picture_size);

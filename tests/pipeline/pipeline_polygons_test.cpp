@@ -4,6 +4,7 @@
 #include "pipeline/polygons/pipeline_zbuffer.h"
 #include "pipeline/zsort/pipeline_zsort.h"
 
+#include "base/error.h"
 #include "geom/files/model_file.h"
 #include "geom/polygon_shapes.h"
 #include "raster/rasterizer_factory.h"
@@ -525,6 +526,17 @@ TEST(pipeline_zbuffer, uses_a_factory_that_nobody_else_owns_while_it_is_there) {
     l3d_pipeline_zbuffer pipeline(std::move(one), l3d_polygon_model(l3d_torus_mesh(9, 6, 1.7, 0.7)),
                                   camera(), {});
     EXPECT_EQ(drawn(pipeline).size(), static_cast<std::size_t>(window.width * window.height));
+}
+
+TEST(pipeline_polygons, refuses_a_camera_and_a_shade_that_it_cannot_draw) {
+    l3d_pipeline_zbuffer program(canvas(), l3d_polygon_model(l3d_box_mesh(1, 1, 1)), camera(), {});
+    program.camera().fov = 200;
+    EXPECT_THROW(program.draw_event(), l3d_error);
+    program.camera() = camera();
+    program.settings().shade = l3d_shade::zebra;
+    EXPECT_THROW(program.draw_event(), l3d_error);
+    program.settings().shade = l3d_shade::lambert;
+    EXPECT_NO_THROW(program.draw_event());
 }
 
 } // namespace

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Several lights and highlights: Blinn's rule evaluated in doubles, and the twins against each
 // other.
+#include "base/error.h"
+#include "raster/lighting.h"
 #include "raster/parallel/simd_target.h"
 #include "raster/shaders/lit_words_p.h"
 #include "surface_scene.h"
@@ -283,6 +285,16 @@ TEST(surface_lights, codes_keep_normals_to_a_ten_thousandth) {
         for (std::size_t i = 0; i < 3; ++i)
             ASSERT_NEAR(coded[i] / normal_code::scale, normal[i], 0.501F / normal_code::scale);
     }
+}
+
+TEST(lighting, refuses_more_lights_than_it_has_room_for) {
+    l3d_lighting lighting;
+    for (std::size_t i = 0; i < l3d_lighting::most_further; ++i)
+        lighting.add({0.0, 1.0, 0.0}, {1, 1, 1});
+    EXPECT_THROW(lighting.add({0.0, 1.0, 0.0}, {1, 1, 1}), l3d_error);
+    for (std::size_t i = 0; i < l3d_lighting::most_points; ++i)
+        lighting.add_point({});
+    EXPECT_THROW(lighting.add_point({}), l3d_error);
 }
 
 } // namespace

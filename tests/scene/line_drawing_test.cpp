@@ -485,6 +485,7 @@ TEST(line_drawing, refuses_a_tolerance_beyond_the_limits) {
     const l3d_patch_scene scene(cube());
     for (const double tolerance : {0.0, 11.0, std::nan("")})
         EXPECT_THROW(l3d_draw_lines(scene, {}, size, {.tolerance = tolerance}), l3d_error);
+    EXPECT_THROW(l3d_draw_lines(scene, {.up = {0.0, 0.0, 0.0}}, size, {}), l3d_error);
     EXPECT_TRUE(l3d_draw_lines(l3d_patch_scene(), {}, size).lines.empty());
 }
 

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -111,6 +112,23 @@ TEST(patch_model, says_why_a_file_has_none) {
         text += "0 0 0\n";
     const text_file broken(text);
     EXPECT_EQ(refusal_of(broken.path).find(broken.path + ":3: "), 0u) << refusal_of(broken.path);
+}
+
+TEST(patch_model, names_the_coordinate_that_is_not_finite) {
+    l3d_patch_model::patch flat{};
+    flat.at(2, 1) = {0.0, std::nan(""), 0.0};
+    try {
+        const l3d_patch_model model({flat});
+        ADD_FAILURE() << model.patches().size();
+    } catch (const l3d_error& error) {
+        EXPECT_STREQ(error.what(), "model: patch 1, row 3, column 2: y is nan, not finite");
+    }
+}
+
+TEST(patch_model, wants_a_material_for_all_patches_or_for_each) {
+    const l3d_patch_model teapot = l3d_patch_model::teapot();
+    EXPECT_THROW(teapot.painted(std::vector<l3d_material>(3)), l3d_error);
+    EXPECT_NO_THROW(teapot.painted(std::vector<l3d_material>(teapot.pieces())));
 }
 
 } // namespace

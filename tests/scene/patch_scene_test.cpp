@@ -12,6 +12,7 @@
 #include <array>
 #include <cmath>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -270,6 +271,16 @@ TEST(placed_normals, have_the_bits_of_products_one_by_one_with_every_instruction
         }
     }
     l3d_set_simd_target({});
+}
+
+TEST(patch_scene, refuses_an_instance_that_is_not_there) {
+    l3d_patch_scene scene(l3d_patch_model::teapot());
+    EXPECT_THROW(scene.place(1, l3d_identity<double>()), std::out_of_range);
+    EXPECT_THROW(scene.paint(1, l3d_material{}), std::out_of_range);
+    EXPECT_THROW(scene.lay(1, {}), std::out_of_range);
+    EXPECT_THROW(scene.set_opacity(1, 0.5), std::out_of_range);
+    EXPECT_THROW(scene.lay(0, {.texture = nullptr, .pieces = {{}, {}}}), l3d_error);
+    EXPECT_EQ(scene.transparent_count(), 0);
 }
 
 } // namespace

@@ -36,6 +36,11 @@ TEST(dispatcher_script, one_frame_if_none_are_named) {
     EXPECT_EQ(run.screen.waits, 0);
 }
 
+TEST(dispatcher_script, says_that_nothing_is_plugged_in) {
+    l3d_dispatcher_script dispatcher(frames(1));
+    EXPECT_THROW(dispatcher.start(), l3d_error);
+}
+
 TEST(dispatcher_script, events_come_before_their_frame) {
     l3d_event pointer = make_event(l3d_event_type::pointer_motion);
     pointer.x = 7;

@@ -288,4 +288,12 @@ TEST_F(factory_manager, a_new_row_runs_a_whole_program) {
     EXPECT_TRUE(folder.holds("p.ppm"));
 }
 
+TEST_F(factory_manager, refuses_rows_that_cannot_serve_and_work_before_the_choice) {
+    EXPECT_THROW(manager.add(paper(log, "paper")), l3d_error) << "two rows of one name";
+    l3d_backend torn = paper(log, "torn");
+    torn.rasterizer_factory = nullptr;
+    EXPECT_THROW(manager.add(std::move(torn)), l3d_error);
+    EXPECT_THROW(manager.create_dispatcher({}), l3d_error) << "no row is chosen";
+}
+
 } // namespace

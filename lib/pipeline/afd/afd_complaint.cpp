@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // l3d_afd_complaint: names values with which no frame of patches can be drawn.
-#include "pipeline/pipeline_afd.h"
+#include "pipeline/afd/pipeline_afd_p.h"
 
 #include "base/formatted_p.h"
 #include "raster/parallel/workers.h"
@@ -10,6 +10,8 @@
 #include <string>
 
 namespace {
+
+constexpr double largest = std::numeric_limits<double>::max();
 
 std::string fog_complaint(const l3d_afd_settings& settings) {
     const l3d_fog& fog = settings.fog;
@@ -41,9 +43,8 @@ std::string section_complaint(const l3d_afd_settings& settings) {
 
 } // namespace
 
-std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
-                              const l3d_afd_settings& settings) {
-    constexpr double largest = std::numeric_limits<double>::max();
+std::string l3d_detail::numbers_complaint(const l3d_camera& camera, l3d_size size,
+                                          const l3d_afd_settings& settings) {
     const std::string most = std::to_string(l3d_largest_side);
     if (size.width < 1 || size.height < 1 || size.width > l3d_largest_side ||
         size.height > l3d_largest_side)
@@ -60,6 +61,15 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         return "light: no direction";
     if (settings.most_samples < 0)
         return "most samples: " + std::to_string(settings.most_samples) + " is negative";
+    if (settings.shade == l3d_shade::own && !settings.own.colors)
+        return "own: shade 'own' needs a function that gives colours";
+    return camera.complaint();
+}
+
+std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
+                              const l3d_afd_settings& settings) {
+    if (const std::string why = l3d_detail::numbers_complaint(camera, size, settings); !why.empty())
+        return why;
     if (const std::string why = l3d_threads_complaint(settings.threads); !why.empty())
         return why;
     if (settings.shade == l3d_shade::error && !settings.method.has_bound())
@@ -71,10 +81,8 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
         return why;
     if (camera.is_parallel() && !settings.method.draws_parallel())
         return "parallel projection: " + settings.method.name() + " draws perspective alone";
-    if (settings.shade == l3d_shade::own && !settings.own.colors)
-        return "own: shade 'own' needs a function that gives colours";
     if (!l3d_sees_patches(settings.shade))
-        return camera.complaint();
+        return "";
     if (!settings.method.is_default())
         return "shade: " + settings.method.name() + " has no exact derivatives to inspect";
     const double reach = l3d_length(settings.inspection.direction);
@@ -86,5 +94,5 @@ std::string l3d_afd_complaint(const l3d_camera& camera, l3d_size size,
     if (!(settings.inspection.stripe > 0 && settings.inspection.stripe <= 180))
         return "inspection: stripes of " + std::to_string(settings.inspection.stripe) +
                " degrees are not within 0 and 180";
-    return camera.complaint();
+    return "";
 }

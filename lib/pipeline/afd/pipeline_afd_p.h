@@ -20,7 +20,17 @@
 
 #include <map>
 #include <memory>
+#include <string>
 #include <vector>
+
+namespace l3d_detail {
+
+/// The part of l3d_afd_complaint that a frame cannot do without: a frame of other numbers would be
+/// wrong, or never end.
+std::string numbers_complaint(const l3d_camera& camera, l3d_size size,
+                              const l3d_afd_settings& settings);
+
+} // namespace l3d_detail
 
 /// All values that a picture depends on, except the placements of the scene's models. If two frames
 /// have the same basis, only the models that were moved need be drawn again.

@@ -5,6 +5,7 @@
 #include "pipeline/polygons/paint_gatherer_p.h"
 #include "pipeline/polygons/polygon_frame.h"
 #include "pipeline/polygons/polygon_wires.h"
+#include "base/error.h"
 #include "geom/real.h"
 #include "base/counted_p.h"
 #include "pipeline/stopwatch_p.h"
@@ -13,7 +14,6 @@
 #include "scene/camera.h"
 
 #include <array>
-#include <cassert>
 #include <cmath>
 #include <cstddef>
 #include <string>
@@ -69,6 +69,10 @@ void l3d_pipeline_polygons::resize_event(l3d_size) {
 
 void l3d_pipeline_polygons::draw_event() {
     const stopwatch whole;
+    if (const std::string why = camera_.complaint(); !why.empty())
+        throw l3d_error(l3d_exit::failure, why);
+    if (static_cast<std::size_t>(settings_.shade) >= l3d_shades_of_normals)
+        throw l3d_error(l3d_exit::failure, "shade: polygons have normals and nothing else to show");
     controls_.pace().begin();
     report_.method = name();
     report_.renderer = {};
@@ -115,7 +119,6 @@ void l3d_pipeline_polygons::draw_model(l3d_polygon_report& report) {
         report.time_ms.raster = drawing.milliseconds();
         return;
     }
-    assert(static_cast<std::size_t>(settings_.shade) < l3d_shades_of_normals);
     const bool smooth = settings_.shade != l3d_shade::flat;
     l3d_polygon_frame::way how{.cull = settings_.cull,
                                .smooth = smooth,

@@ -93,8 +93,9 @@ struct L3D_PUBLIC l3d_polygon_settings {
 /// Draws a model of polygons. A subclass finds which polygon is in front.
 ///
 /// Keys and mouse turn, zoom and inspect the model; the help lists them.
-/// Expects: a valid camera; light not zero; a shade of normals (l3d_shades_of_normals), as polygons
-///          have neither bounds nor exact derivatives.
+/// Expects: light not zero.
+/// Errors:  draw_event throws l3d_error for an invalid camera, and for a shade that is not of
+///          normals (l3d_shades_of_normals): polygons have neither bounds nor exact derivatives.
 /// Lives:   owns screen, rasterizers and workers; shares the model.
 class L3D_PUBLIC l3d_pipeline_polygons : public l3d_pipeline {
 public:

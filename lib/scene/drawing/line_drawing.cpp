@@ -434,5 +434,7 @@ l3d_line_drawing l3d_draw_lines(const l3d_patch_scene& scene, const l3d_camera& 
                         l3d_detail::formatted("line drawing: the tolerance %g is not from %g to %g "
                                               "pixels",
                                               settings.tolerance, least, most));
+    if (const std::string why = camera.complaint(); !why.empty())
+        throw l3d_error(l3d_exit::bad_input, why);
     return drawer(scene, camera, size, settings).draw();
 }
