@@ -64,7 +64,8 @@ void check_shown(const l3d_afd_settings& asked, bool has_texture) {
         {"--error-output", asked.error_map && is_none,
          "pixels have bounds on a background, and --background none has none"},
         {"--texture", has_texture && (asked.wireframe || asked.drawing || !is_light),
-         "shades of light show it, and neither lines nor --shade " + shade + " does"},
+         "shades of light show it, and " +
+             (is_light ? std::string("lines do") : "--shade " + shade + " does") + " not"},
         {"--error-output", has_texture && asked.error_map,
          "pictures on surfaces have no bounds, and --texture lays one on"},
         {"--wireframe", asked.wireframe && asked.shade != l3d_afd_settings().shade,
