@@ -63,10 +63,7 @@ public:
         program_.after_command_line([this] {
             l3d_refuse(
                 {{"--section-at", place_ && !normal_, "--section says across which direction"},
-                 {"--section", normal_ == vector{0.0, 0.0, 0.0}, "'0,0,0' has no direction"},
-                 {"--audit-tolerance",
-                  tolerance_ != l3d_surface_audit::usual_tolerance && mesh_file_.empty(),
-                  "nothing has bounds of this width without --audit"},
+                 {"--section", normal_ == vector{0.0, 0.0, 0.0}, "no direction"},
                  {"--list-edges", lists_edges_ && !mesh_file_.empty(), "--audit prints, too"},
                  {"--list-edges", lists_edges_ && parts_.lists(), "--list-parts prints, too"}});
             if (lists_edges_)
@@ -139,8 +136,6 @@ private:
         constexpr std::size_t most = 10;
         const l3d_patch_model model = afd_.model();
         const auto loose = model.loose_edges();
-        if (loose.empty())
-            std::cout << "no edge is off its faces by more than the file allows\n";
         for (std::size_t i = 0; i < std::min(most, loose.size()); ++i) {
             const l3d_loose_edge& one = loose[i];
             // Names of faces, or of pieces if the file numbers no faces.
