@@ -242,6 +242,35 @@ TEST(edge_polyline, parts_are_edges_of_their_own) {
         EXPECT_GT(seen[parts], 10) << parts << " parts";
 }
 
+TEST(edge_polyline, of_two_halves_has_the_points_of_both) {
+    int whole = 0, cut = 0;
+    for (std::uint64_t seed = 1; seed <= 400; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        random_numbers random(seed);
+        const auto [first, second] = random_edge(random).split();
+        const l3d_dice_view view = view_with(random.of_any_size(0.02, 2));
+        l3d_edge_polyline low, high, joined;
+        low.build(first, view);
+        high.build(second, view);
+        joined.join(low, high, view);
+        const std::size_t middle = low.size() - 1;
+        ASSERT_EQ(joined.size(), middle + high.size());
+        for (std::size_t i = 0; i < joined.size(); ++i) {
+            const l3d_clip_vertex mine = joined.clip_vertex(i, view);
+            const l3d_clip_vertex its =
+                i < middle ? low.clip_vertex(i, view) : high.clip_vertex(i - middle, view);
+            ASSERT_EQ(mine.drawable, its.drawable) << "point " << i;
+            ASSERT_EQ(mine.h, its.h) << "point " << i;
+            ASSERT_TRUE(same(mine.dice.vertex, its.dice.vertex)) << "point " << i;
+        }
+        const bool has_strips = low.strips().blocks > 0 && high.strips().blocks > 0;
+        ASSERT_EQ(joined.strips().blocks > 0, has_strips);
+        ++(has_strips ? whole : cut);
+    }
+    EXPECT_GT(whole, 50);
+    EXPECT_GT(cut, 50);
+}
+
 TEST(edge_polyline, runs_from_end_to_end_within_its_bound) {
     double worst = 0;
     for (std::uint64_t seed = 1; seed <= 500; ++seed) {

@@ -67,6 +67,7 @@ def errors_name_option_and_value():
                              (("--svg", "-", "--output", "a.png"), "--svg: it shows nothing"),
                              (("--svg", "-", "--frames", "2"), "--svg: it shows nothing"),
                              (("--drawing", "--wireframe"), "--drawing: --wireframe shows other lines"),
+                             (("--drawing", "--texture", "a.png"), "--texture: shades of light show it, and lines do not"),
                              (("--drawing", "--shade", "zebra"), "--drawing: lines have one colour")):
         with folder() as path:
             status, _, messages = run(VIEWER.command("cone", *arguments), environment(), cwd=path)

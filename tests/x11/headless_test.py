@@ -214,6 +214,30 @@ def a_frame_is_not_overwritten():
             expect_equal(teapot("--output", output, "--report", name, cwd=path), (0, b"", ""), name)
 
 
+def a_picture_of_the_model_is_not_overwritten():
+    with folder() as path:
+        chair = {"chair.obj": "mtllib chair.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                              "usemtl wood\nf 1/1 2/2 3/3\n",
+                 "chair.mtl": "newmtl wood\nmap_Kd chair0.png\n"}
+        for name, text in chair.items():
+            with open(os.path.join(path, name), "w") as file:
+                file.write(text)
+        teapot("--output", "chair0.png", cwd=path)
+        with open(os.path.join(path, "chair0.png"), "rb") as file:
+            before = file.read()
+        for program in ("modelview", "surfview"):
+            def drawn_to(output):
+                viewer = harness.Program(program, (32, 24)).command("chair.obj", "--backend", "memory")
+                return run([*viewer, "--output", output], environment(), cwd=path)
+
+            for output in ("chair0.png", "chair%d.png"):
+                expect_equal(drawn_to(output), (2, b"", "%s: --output: '%s' is the file of a picture of 'chair.obj', too\n"
+                                                % (program, output)))
+                with open(os.path.join(path, "chair0.png"), "rb") as file:
+                    expect_equal(file.read(), before)
+            expect_equal(drawn_to("chair.png"), (0, b"", ""))
+
+
 def what_no_file_can_hold_is_refused_before_it_is_drawn():
     cases = (
         (("--depth-output", "a.png"), "--depth-output: 'a.png' does not end in .pfm"),
@@ -362,7 +386,7 @@ if __name__ == "__main__":
         for check in CHECKS:
             checks.run("headless.%s.%s" % (program.name, check.__name__), check, program)
     for check in (drawdot_leaves_a_trail, distances_go_to_the_standard_output,
-                  one_file_is_not_written_twice, a_frame_is_not_overwritten,
+                  one_file_is_not_written_twice, a_frame_is_not_overwritten, a_picture_of_the_model_is_not_overwritten,
                   what_no_file_can_hold_is_refused_before_it_is_drawn, models_come_through_pipes,
                   file_managers_get_thumbnails, a_broken_file_leaves_no_thumbnail,
                   fewer_threads_draw_the_same, little_memory_ends_in_a_picture_or_a_line):

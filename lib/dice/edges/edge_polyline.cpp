@@ -235,7 +235,7 @@ void l3d_edge_polyline::join(const l3d_edge_polyline& first, const l3d_edge_poly
     // With three parts, none has the parameters of a piece's side. So all pieces close their slits
     // point by point.
     parts_ = 3;
-    strips_[0] = has_strips ? first.strips() : l3d_block_starts();
+    strips_[0] = has_strips ? first.strips() : l3d_block_starts{.blocks = 0, .first = {}};
     chord_error_ = std::max(first.chord_error_, second.chord_error_);
     vertex_error_ = std::max(first.vertex_error_, second.vertex_error_);
 }

@@ -73,7 +73,7 @@ public:
                               std::to_string(text_.rest().size()));
         bool has_more = false;
         for (std::uint32_t i = 0; i < count; ++i) {
-            text_.set_place("triangle", i, count);
+            text_.set_place(" of triangle", i + 1, count);
             if (!read_triangle(has_more))
                 return false;
         }

@@ -11,6 +11,7 @@
 #include "system/options/model_names_p.h"
 #include "system/options/number_text.h"
 #include "system/options/output_names_p.h"
+#include "system/frame_writer.h"
 #include "system/long_work_p.h"
 #include "tool_2d/output_file_p.h"
 
@@ -50,6 +51,21 @@ l3d_camera seen_from_above(l3d_camera camera) {
     return camera;
 }
 
+/// Loads a model.
+/// Errors:  as l3d_detail::load_named_model; l3d_error(usage) if --output would overwrite a picture
+///          that lies on the model's faces. The picture of chair.obj often is chair.png.
+l3d_model_file loaded(const std::string& name, const l3d_options& options) {
+    l3d_model_file result = l3d_detail::load_named_model(name, options.load_watch());
+    const l3d_frame_settings frames = options.frame_settings();
+    const l3d_frame_writer writer(frames.output, frames.alpha);
+    for (const l3d_mesh_picture& picture : result.mesh.pictures)
+        if (picture.bytes.empty() && writer.has_frame_in(picture.name))
+            throw l3d_error(l3d_exit::usage, "--output: '" + frames.output +
+                                                 "' is the file of a picture of '" + name +
+                                                 "', too");
+    return result;
+}
+
 /// Refuses options that have no effect together with the other options that were given.
 /// Errors:  l3d_error(usage).
 void check_shown(const l3d_afd_settings& asked, bool has_texture) {
@@ -64,7 +80,8 @@ void check_shown(const l3d_afd_settings& asked, bool has_texture) {
         {"--error-output", asked.error_map && is_none,
          "pixels have bounds on a background, and --background none has none"},
         {"--texture", has_texture && (asked.wireframe || asked.drawing || !is_light),
-         "shades of light show it, and neither lines nor --shade " + shade + " does"},
+         "shades of light show it, and " +
+             (is_light ? std::string("lines do") : "--shade " + shade + " does") + " not"},
         {"--error-output", has_texture && asked.error_map,
          "pictures on surfaces have no bounds, and --texture lays one on"},
         {"--wireframe", asked.wireframe && asked.shade != l3d_afd_settings().shade,
@@ -339,7 +356,7 @@ const l3d_model_camera& l3d_afd_options::camera_of_file() const {
     if (model_file_.empty())
         throw l3d_error(l3d_exit::usage, asked + "' is sought in a FILE, and none is given");
     if (!file_)
-        file_ = l3d_detail::load_named_model(model_file_, options_.load_watch());
+        file_ = loaded(model_file_, options_);
     std::string names;
     for (const l3d_model_camera& camera : file_->cameras) {
         if (camera.name == file_camera_)
@@ -352,9 +369,7 @@ const l3d_model_camera& l3d_afd_options::camera_of_file() const {
 }
 
 l3d_model_file l3d_afd_options::file() const {
-    l3d_model_file result = file_
-                                ? *std::move(file_)
-                                : l3d_detail::load_named_model(model_file_, options_.load_watch());
+    l3d_model_file result = file_ ? *std::move(file_) : loaded(model_file_, options_);
     file_.reset();
     if (subdivides_)
         subdivide(result);
@@ -365,7 +380,7 @@ bool l3d_afd_options::has_trims() const {
     if (model_file_.empty())
         return false;
     if (!file_)
-        file_ = l3d_detail::load_named_model(model_file_, options_.load_watch());
+        file_ = loaded(model_file_, options_);
     return std::ranges::any_of(file_->patches,
                                [](const l3d_patch_points& patch) { return !patch.trims.empty(); });
 }
@@ -384,7 +399,7 @@ bool l3d_afd_options::is_of_patches() const {
     if (model_file_.empty())
         return true;
     if (!file_)
-        file_ = l3d_detail::load_named_model(model_file_, options_.load_watch());
+        file_ = loaded(model_file_, options_);
     return !file_->patches.empty() && file_->mesh.faces() == 0;
 }
 
