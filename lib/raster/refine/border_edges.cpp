@@ -125,15 +125,14 @@ std::span<const contour_edge> border_edges::match() {
             break;
         }
     }
-    // The surfaces on both sides of a crease may be nearer to the eye than the crease itself: by as
-    // much as depth changes in a pixel. So a crease counts as nearer.
+    // The surfaces around an edge may be nearer to the eye than the edge itself: by as much as depth
+    // changes in a pixel. So an edge counts as nearer.
     constexpr float in_front = 1 + 1.0f / 512;
-    for (border& b : edges_) {
-        if (b.is == kind::crease)
+    for (border& b : edges_)
+        if (b.is != kind::inside) {
             b.edge.nearest *= in_front;
-        if (b.is != kind::inside)
             contours_.push_back(b.edge);
-    }
+        }
     return contours_;
 }
 
