@@ -89,7 +89,7 @@ void border_edges::add_edge(const l3d_border_edge& e, int turn) {
     contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest()};
     if (turn < 0)
         std::swap(edge.from, edge.to);
-    edges_.push_back({edge, e.level, e.always ? kind::always : kind::end});
+    edges_.push_back({edge, e.level, e.always ? kind::always : kind::contour});
 }
 
 std::span<const contour_edge> border_edges::match() {
@@ -116,12 +116,9 @@ std::span<const contour_edge> border_edges::match() {
                 equal(other.edge.from, here.edge.to) && equal(other.edge.to, here.edge.from);
             if (!along && !against)
                 continue;
-            here.is = kind::inside; // `other` stands for both
-            if (along)
-                other.is = kind::fold;
-            else
-                other.is =
-                    std::abs(other.level - here.level) > jump_levels ? kind::crease : kind::inside;
+            here.is = kind::inside; // `other` stands for both: a fold, a crease or nothing
+            other.is = along || std::abs(other.level - here.level) > jump_levels ? kind::contour
+                                                                                 : kind::inside;
             break;
         }
     }
