@@ -91,7 +91,8 @@ TEST(comb, is_the_mean_of_each_pixel) {
     l3d_pipeline_afd pipeline(l3d_memory_canvas(size), l3d_patch_model(stripes),
                               {.eye = {0, 0, 5}, .fov = 38}, settings);
     pipeline.draw_event();
-    const double light = l3d_light_of_level(std::round(255 * (0.1 + 0.9 * 0.45 / std::sqrt(1.0025))));
+    const double light =
+        l3d_light_of_level(std::round(255 * (0.1 + 0.9 * 0.45 / std::sqrt(1.0025))));
     const std::vector<int> greys = pipeline_tests::greys_drawn(pipeline);
     double worst = 0;
     for (int x = 1; x + 1 < size.width; ++x) {
@@ -99,8 +100,8 @@ TEST(comb, is_the_mean_of_each_pixel) {
         for (std::size_t n = 0; n < stripes.size(); ++n)
             share += std::max(0.0, std::min(x + 1.0, pitch * double(n) + width) -
                                        std::max(double(x), pitch * double(n)));
-        const double off = greys[static_cast<std::size_t>(6 * size.width + x)] -
-                           l3d_level_of_light(share * light);
+        const double off =
+            greys[static_cast<std::size_t>(6 * size.width + x)] - l3d_level_of_light(share * light);
         worst = std::max(worst, std::abs(off));
     }
     // What was measured: 4.3, and 38 where surfaces as near as a side hide it.

@@ -122,8 +122,8 @@ std::span<const contour_edge> border_edges::match() {
             break;
         }
     }
-    // The surfaces around an edge may be nearer to the eye than the edge itself: by as much as depth
-    // changes in a pixel. So an edge counts as nearer.
+    // The surfaces around an edge may be nearer to the eye than the edge itself: by as much as
+    // depth changes in a pixel. So an edge counts as nearer.
     constexpr float in_front = 1 + 1.0f / 512;
     for (border& b : edges_)
         if (b.is != kind::inside) {
