@@ -89,7 +89,7 @@ void border_edges::add_edge(const l3d_border_edge& e, int turn) {
     contour_edge edge{{e.from_x, e.from_y}, {e.to_x, e.to_y}, e.nearest()};
     if (turn < 0)
         std::swap(edge.from, edge.to);
-    edges_.push_back({edge, e.level, e.always ? kind::always : kind::end});
+    edges_.push_back({edge, e.level, e.always ? kind::always : kind::contour});
 }
 
 std::span<const contour_edge> border_edges::match() {
@@ -116,24 +116,20 @@ std::span<const contour_edge> border_edges::match() {
                 equal(other.edge.from, here.edge.to) && equal(other.edge.to, here.edge.from);
             if (!along && !against)
                 continue;
-            here.is = kind::inside; // `other` stands for both
-            if (along)
-                other.is = kind::fold;
-            else
-                other.is =
-                    std::abs(other.level - here.level) > jump_levels ? kind::crease : kind::inside;
+            here.is = kind::inside; // `other` stands for both: a fold, a crease or nothing
+            other.is = along || std::abs(other.level - here.level) > jump_levels ? kind::contour
+                                                                                 : kind::inside;
             break;
         }
     }
-    // The surfaces on both sides of a crease may be nearer to the eye than the crease itself: by as
-    // much as depth changes in a pixel. So a crease counts as nearer.
+    // The surfaces around an edge may be nearer to the eye than the edge itself: by as much as
+    // depth changes in a pixel. So an edge counts as nearer.
     constexpr float in_front = 1 + 1.0f / 512;
-    for (border& b : edges_) {
-        if (b.is == kind::crease)
+    for (border& b : edges_)
+        if (b.is != kind::inside) {
             b.edge.nearest *= in_front;
-        if (b.is != kind::inside)
             contours_.push_back(b.edge);
-    }
+        }
     return contours_;
 }
 

@@ -36,7 +36,7 @@ public:
     std::span<const contour_edge> match();
 
 private:
-    enum class kind : unsigned char { end, fold, inside, crease, always };
+    enum class kind : unsigned char { contour, inside, always };
     struct border {
         contour_edge edge;
         float level;
