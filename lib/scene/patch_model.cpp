@@ -111,10 +111,7 @@ l3d_patch_model::l3d_patch_model(std::vector<patch> patches)
     : l3d_patch_model(without_fault(std::move(patches)), nullptr) {}
 
 l3d_patch_model::l3d_patch_model(std::vector<patch> patches, const contents* like)
-    : contents_(std::make_shared<const contents>(std::move(patches), like)) {
-    for (std::size_t i = 0; i < this->patches().size(); ++i)
-        bends(i); // computed now: all are drawn sooner or later
-}
+    : contents_(std::make_shared<const contents>(std::move(patches), like)) {}
 
 l3d_patch_model::l3d_patch_model(l3d_curved_pieces pieces, const source* like)
     : source_(std::make_shared<const source>(

@@ -312,6 +312,7 @@ public:
     const l3d_facing_cones& facing(std::size_t index) const;
     /// Bounds of how strongly a patch bends, from which its error bound is computed.
     /// Expects: as normals.
+    /// Cost:    some 50 us at the first call for a patch, which any thread may make.
     const l3d_surface_bends& bends(std::size_t index) const;
     /// The largest magnitudes of a patch's coordinates. Expects: as normals.
     const l3d_patch_reach& reach(std::size_t index) const;

@@ -23,8 +23,8 @@
 #include <utility>
 #include <vector>
 
-/// The bends of a patch, computed at the first call. Cells outside the window never need their
-/// bends.
+/// The bends of a patch, computed at the first call. A patch that no frame dices never needs its
+/// bends: it lies outside of the window, shows only its back, or is as small as a point.
 class l3d_patch_model::bends_on_demand {
 public:
     const l3d_surface_bends& of(const patch& p, const l3d_normal_net& normals) {
