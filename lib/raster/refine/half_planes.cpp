@@ -26,8 +26,6 @@ half_planes::half_planes(std::span<const std::int16_t, 64> x, std::span<const st
             row[step + 1] |= row[step];
         row[steps + 1] = ~std::uint64_t{0};
     }
-    for (std::size_t i = 0; i < others; ++i)
-        masks_[others + i] = ~masks_[i];
 }
 
 const half_planes& planes_of_samples() {

@@ -37,10 +37,8 @@ public:
 
     /// The masks of places.
     /// Shape: a row for each direction, dx from -1 to 1. A row has an empty mask, then one for each
-    ///        step of e from -1/2 to 1/2 (at its middle), and a full mask. From index `others` on,
-    ///        all rows are repeated for the places that are not on the line's side.
+    ///        step of e from -1/2 to 1/2 (at its middle), and a full mask.
     const std::uint64_t* masks() const { return masks_.data(); }
-    static constexpr std::size_t others = (turns + 1) * in_row;
 
     /// The places where a linear function is not negative. The function has the value `in_middle`
     /// in the square's middle, and grows by `right` and `down` over one side of the square.
@@ -56,11 +54,11 @@ public:
         const auto turn = static_cast<int>(down * scale * first_turn + (first_turn + 0.5f));
         const auto step = static_cast<int>(in_middle * scale * steps + (middle + 0.5f));
         const int place = turn * static_cast<int>(in_row) + step;
-        return masks_[static_cast<unsigned>(place) + (right > 0 ? others : 0)];
+        return masks_[static_cast<unsigned>(place)] ^ (right > 0 ? all : 0);
     }
 
 private:
-    std::array<std::uint64_t, 2 * others> masks_{};
+    std::array<std::uint64_t, (turns + 1) * in_row> masks_{};
 };
 
 /// The table whose places are the samples of a pixel, made at the first call.

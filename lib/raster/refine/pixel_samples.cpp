@@ -76,12 +76,11 @@ public:
                 side_ints,
                 hn::Add(hn::Mul(hn::Mul(dx, scale), hn::Set(side_floats, half_planes::first_turn)),
                         hn::Set(side_floats, half_planes::first_turn + 0.5f)));
-            const auto others = hn::IfThenElseZero(
-                is_other, hn::BitCast(side_floats, hn::Set(side_ints, half_planes::others)));
-            hn::Store(hn::Sub(hn::Add(hn::Mul(turn, hn::Set(side_ints, half_planes::in_row)),
-                                      hn::BitCast(side_ints, others)),
+            hn::Store(hn::Sub(hn::Mul(turn, hn::Set(side_ints, half_planes::in_row)),
                               hn::BitCast(side_ints, hn::Set(side_floats, whole))),
                       side_ints, rows_ + at);
+            hn::Store(hn::BitCast(side_ints, hn::VecFromMask(side_floats, is_other)), side_ints,
+                      others_ + at);
         }
     }
 
@@ -138,12 +137,13 @@ private:
         }
         std::uint64_t result = ~std::uint64_t{0};
         for (std::size_t side = 0; side < 4; ++side)
-            result &= masks[places[side]];
+            result &= masks[places[side]] ^ static_cast<std::uint64_t>(std::int64_t{others_[side]});
         return result;
     }
 
     alignas(16) float x_[4], y_[4], per_x_[4], per_y_[4], middle_[4], in_tile_[4];
     alignas(16) std::int32_t rows_[4];
+    alignas(16) std::int32_t others_[4]; ///< -1: the side has the places that a mask lacks; or 0
 };
 
 std::size_t cover(const fragment_polygon& of, std::uint32_t name, const l3d_pixel_box& box,
