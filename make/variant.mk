@@ -48,7 +48,8 @@ kind = $(if $(filter lib/% python/% plugins/%,$(1)),lib,$(if $(filter %_test.cpp
 FLAGS_lib  := -fPIC -fno-semantic-interposition -fvisibility=hidden -DHWY_DISABLED_TARGETS=HWY_SSSE3
 # Tests take longer to compile than to run, so they are compiled quickly. The files beside them that do the work, such as
 # judges of pictures, are optimised.
-FLAGS_test := $(if $(filter release,$(MODE)),-Og)
+# At -Og, g++ 12 takes the state of a std::stop_token for uninitialized.
+FLAGS_test := $(if $(filter release,$(MODE)),-Og $(if $(findstring clang,$(compiler)),,-Wno-maybe-uninitialized))
 # What a program does once need not be fast.
 less_optimised = $(if $(filter lib/system/% apps/%,$(1)),$(if $(filter release,$(MODE)),-O1))
 # The standard library's headers are half of what a source takes to compile: each kind has them
