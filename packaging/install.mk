@@ -176,7 +176,7 @@ $(OUT)/lib/system/plugin_loader.o $(OUT)/lib/geom/files/plugin.o: private CPPFLA
 # is installed takes minutes of one process, and has to begin with the others.
 STAGE := $(OUT)/stage
 OTHER := $(if $(filter fixed,$(REAL)),float,fixed)
-hurry := BUILD=$(BUILD)/hurry REAL=$(OTHER) CXXFLAGS="-Og -DHWY_COMPILE_ONLY_STATIC"
+hurry := BUILD=$(BUILD)/hurry REAL=$(OTHER) CXXFLAGS="-O1 -DHWY_COMPILE_ONLY_STATIC"
 build_other = $(if $(dry_run),:,$(again) -k $(hurry) libraries)
 $(OUT)/log/installcheck.log: $(APPS) $(PLUGINS) $(DATA) $(PAGES) $(STATIC) $(SHARED) $(OUT)/$(NAME).pc FORCE
 	$(call say,TEST,installcheck)
