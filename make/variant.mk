@@ -33,9 +33,10 @@ compiler := $(notdir $(lastword $(CXX)))
 OUT      := $(BUILD)/$(REAL)-$(MODE)$(if $(filter-out g++,$(compiler)),-$(compiler))
 
 # -ffp-contract=off: float results must not depend on whether the machine has fused operations.
-# -Wno-...: g++ 12 sees overlaps and endless copies in std::string's own code (GCC bug 105651).
+# -Wno-...: g++ 12 sees overlaps and endless copies in std::string's own code (GCC bug 105651), and notes that vectors are
+# passed otherwise than by GCC 4.5.
 WARNINGS := -Wall -Wextra -Wpedantic -Wshadow -Wconversion $(WERROR) \
-            $(if $(findstring clang,$(compiler)),,-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds)
+            $(if $(findstring clang,$(compiler)),,-Wno-restrict -Wno-stringop-overflow -Wno-array-bounds -Wno-psabi)
 FLAGS     = -std=c++20 $(WARNINGS) -ffp-contract=off -fno-math-errno -pthread \
             $(flags_$(REAL)) $(flags_$(MODE)) -I$(OUT) -isystem $(FREETYPE) $(CPPFLAGS) $(CXXFLAGS)
 # A source is of the library, a test, or of the rest, and so are its flags.
