@@ -32,7 +32,7 @@ run: packages-run ## build, then show the teapot: in a window, or as a PNG where
 	    echo $(OUT)/teapot.png; fi
 
 packages: packages-build packages-run packages-test packages-lint ## install the Debian packages that are missing
-packages-%:
+packages-%: FORCE
 	@CXX="$(CXX)" tests/lint/packages.sh $(PACKAGES_$*)
 
 # Compilers' commands for clangd and other tools, which look for them at the top.

@@ -195,8 +195,8 @@ public:
     double normal_target(int level) const;
 
     /// A copy of the model whose pieces count as approximations of another surface. `errors` says
-    /// how far each piece is off that surface. Error bounds of pictures include it. Expects: an
-    /// error for each piece, finite and not negative. An empty list says that the
+    /// how far each piece is off that surface. Error bounds of pictures include it.
+    /// Expects: an error for each piece, finite and not negative. An empty list says that the
     ///          pieces are the surface itself.
     l3d_patch_model standing_for(std::span<const l3d_patch_error> errors) const;
 

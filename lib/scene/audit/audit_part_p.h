@@ -33,8 +33,8 @@ public:
 private:
     std::array<vector, 3> corners_;
     vector first_; ///< where the longest side begins
-    vector along_, across_,
-        normal_;            ///< unit vectors: along that side, across it in the plane, normal
+    /// Unit vectors: along the longest side, across it in the triangle's plane, and the normal.
+    vector along_, across_, normal_;
     double length_, x_, y_; ///< the longest side's length; the opposite corner's place, y_ >= 0
 };
 
