@@ -43,8 +43,9 @@ def keeps_its_pace(backend, count=60):
             # A busy machine may miss many pictures, but the grid of times stays where it is.
             most = most_pictures(times)
             expect(len(times) <= most, "pictures", len(times), most)
-            least = min(next_one - one for one, next_one in zip(times, times[1:]))
-            expect(least < 1.5 * PERIOD, "seconds between pictures", least)
+            # Some pictures follow each other as they should. With half as many, no four of them took so little time.
+            least = min(later - one for one, later in zip(times, times[3:]))
+            expect(least < 3 * 1.5 * PERIOD, "seconds for three pictures", least)
 
             it.process.send_signal(signal.SIGSTOP)
             time.sleep(1.5)
